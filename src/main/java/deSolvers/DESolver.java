@@ -17,7 +17,7 @@ package deSolvers;
  *     exception reach the caller. The solver may be used again.</li>
  * <li>Arrays handed to the source are exactly {@link DEStateSource#getStateSize()} long.</li>
  * <li>One solver may step any number of sources, of equal or different sizes, in turn. A solver that remembers its last
- *     step uses it only if source, time and state are bit for bit as at the end of that step, and deltaT is the same.
+ *     step uses it only if source, time (but for round-off) and state are as at its end, and deltaT is the same.
  *     If the equations change while the state stays the same, the caller has to call {@link #reset()}.</li>
  * <li>A step allocates no memory once the work arrays have the source's size.</li>
  * <li>{@code deltaT = 0} changes nothing; a negative deltaT integrates backwards; a state of size 0 still moves the

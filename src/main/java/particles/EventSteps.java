@@ -84,11 +84,11 @@ final class EventSteps {
      * other failure is thrown.
      *
      * @param h     the length of the step (s)
+     * @param end   the time at its end, of which the clock plus h may be off by round-off (s)
      * @param noted whether to record its motion
      * @return whether the last motion was recorded
      */
-    boolean move(double h, boolean noted) {
-        double end = system.getTime() + h;
+    boolean move(double h, double end, boolean noted) {
         long begin = system.getEvaluations();
         boolean note = noted;
         double left = h;
@@ -102,7 +102,7 @@ final class EventSteps {
             }
             boolean stopped;
             try {
-                stopped = moveOn(length, note);
+                stopped = moveOn(length, length == left ? end : system.getTime() + length, note);
             } catch (DESolverException e) {             // the system is back where the motion began
                 if (length < SHORTEST_PIECE * h || !mayTurnWithin(length)) {
                     throw e;
@@ -141,12 +141,13 @@ final class EventSteps {
         return false;
     }
 
-    /** Moves by h, or to the first event before that; returns whether an event ended it. */
-    private boolean moveOn(double h, boolean note) {
+    /** Moves by h to a time, or to the first event before that; returns whether an event ended it. */
+    private boolean moveOn(double h, double end, boolean note) {
         if (note) {
             motion.begin(system);
         }
         solver.stepState(system, h);
+        system.setTime(end);
         if (note) {
             motion.end();
         }

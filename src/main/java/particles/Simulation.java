@@ -13,10 +13,11 @@ import particles.law.Violation;
 
 /**
  * The simulation loop. Until the duration is over, it tells the rules that a step begins, makes the step, shows it to
- * the observers that want it and applies the rules. The last step is shortened to end exactly at the end.
+ * the observers that want it and applies the rules. Steps are counted: the k-th ends k deltaT after the start, and the
+ * last one, which may be shorter, at the end.
  */
 public final class Simulation {
-    /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
+    /** Times that differ by this fraction of deltaT are the same, but for round-off. */
     private static final double ROUNDING = 1e-6;
     /** The largest violation of a constraint in a run, relative to its scale. */
     private static final double WRONG = 0.1;
@@ -29,7 +30,8 @@ public final class Simulation {
     private final List<Observer> observers = new ArrayList<>();
     private final ConstraintCheck constraints;
     private final EventSteps eventSteps;
-    private double endTime;
+    private double startTime;
+    private long planned;                               // steps
     private long steps;
 
     /**
@@ -95,7 +97,8 @@ public final class Simulation {
 
     /** Tells rules and observers that the run begins; call it once, before {@link #advance()}. */
     public void start() {
-        endTime = system.getTime() + duration;
+        startTime = system.getTime();
+        planned = duration > 0 ? Math.max(1, (long) Math.ceil(duration / deltaT - ROUNDING)) : 0;
         try {
             rules.forEach(rule -> rule.start(system));
         } finally {                                     // also of a run that fails here, observers have the beginning
@@ -109,7 +112,7 @@ public final class Simulation {
      * @return whether the duration is over
      */
     public boolean isOver() {
-        return endTime - system.getTime() <= ROUNDING * deltaT;
+        return steps >= planned;
     }
 
     /**
@@ -121,14 +124,14 @@ public final class Simulation {
      *         results so far; {@link #finish} need not be called
      */
     public void advance() {
-        double left = endTime - system.getTime();
-        advanceBy(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
-        requireRight(constraints.getWorst());
-        if (endTime - system.getTime() >= left) {
+        double end = startTime + (steps + 1 < planned ? (steps + 1) * deltaT : duration);
+        if (end <= system.getTime()) {
             throw new SimulationException(system.getTime(), -1,
                     "a step of " + deltaT + " s no longer moves the clock at"
                     + " t = " + system.getTime(), null);
         }
+        advanceTo(end);
+        requireRight(constraints.getWorst());
     }
 
     /**
@@ -159,20 +162,17 @@ public final class Simulation {
     }
 
     /** Makes a step; in shorter ones if rules act at known times within it. */
-    private void advanceBy(double h) {
-        double end = system.getTime() + h;
+    private void advanceTo(double end) {
         double rounding = ROUNDING * deltaT;
-        boolean divided = false;
         for (double next = nextAction(); next < end - rounding; next = nextAction()) {
-            divided = true;
             double now = system.getTime() + rounding;
             if (next > now) {
-                step(next - system.getTime(), 0);
+                step(next, 0);
             } else {
                 act(deltaT, rule -> rule.getNextTime() <= now);
             }
         }
-        step(divided ? end - system.getTime() : h, 1);
+        step(end, 1);
     }
 
     private double nextAction() {
@@ -183,17 +183,19 @@ public final class Simulation {
         return next;
     }
 
-    /** Makes one step that counts as this many. */
-    private void step(double h, int counted) {
+    /** Makes one step that counts as this many. A step as long as deltaT but for round-off is exactly that long. */
+    private void step(double end, int counted) {
+        double left = end - system.getTime();
+        double h = Math.abs(left - deltaT) <= ROUNDING * deltaT ? deltaT : left;
         for (Rule rule : rules) {
             rule.beforeStep(system, h);
         }
-        double end = system.getTime() + h;
         // a motion is the path within a step; it is recorded only if an event search or an observer needs it
         boolean recordMotion = eventSteps.areLookedFor() || isAwaited(end + ROUNDING * deltaT);
         boolean recorded;
         try {
-            recorded = eventSteps.move(h, recordMotion);        // calls solver.stepState; in pieces if there are events
+            // calls solver.stepState; in pieces if there are events
+            recorded = eventSteps.move(h, end, recordMotion);
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);

@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.energy.EnergyHistory;
 import particles.law.Vector3;
 import particles.scene.Scene;
+import particles.scene.SceneBuilder;
 import particles.scene.ShortRun;
 import particles.scene.TestScenes;
 
@@ -178,6 +179,35 @@ class SimulationTest {
         SimulationException e = Steps.assertFails(SimulationException.class, "EulerSolver at t = 0.0",
                 () -> run(system, new EulerSolver(), 10, 100));
         assertEquals(1, e.getParticle());
+    }
+
+    /** The clock is a multiple of deltaT, which a sum of 100,000 tenths is not: it is off by 2e-8. */
+    @ParameterizedTest
+    @CsvSource({"0.1, 10000, 100000", "0.001, 100, 100000", "0.3, 1, 4", "0.01, 0.01, 1", "1e8, 12.6, 1",
+            "0.07, 0.7, 10"})
+    void stepsAreCounted(double deltaT, double duration, long steps) {
+        ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
+        Simulation simulation = new Simulation(system, EulerSolver::new, deltaT, duration);
+        long[] made = {0};
+        simulation.addObserver(onMove(motion -> {
+            made[0]++;
+            assertEquals(made[0] < steps ? made[0] * deltaT : duration, motion.getEndTime());
+        }));
+        simulation.run();
+        assertEquals(steps, simulation.getSteps());
+        assertEquals(steps, made[0]);
+        assertEquals(duration, system.getTime());
+        assertEquals(duration, system.getOwnState()[0], 1e-11 * duration);
+    }
+
+    /** Solvers with a memory go on with it, although the clock is set after each step. */
+    @ParameterizedTest
+    @CsvSource({"adams, 2006", "verlet, 1001"})
+    void aClockSetToAMultipleKeepsASolversMemory(String solver, long evaluations) {
+        Scene scene = SceneBuilder.build(TestScenes.named("02-one-spring").withSolver(solver).withDeltaT(0.01)
+                .withDuration(10));
+        scene.simulation().run();
+        assertEquals(evaluations, scene.system().getEvaluations());
     }
 
     /** Contacts may contradict each other at the very beginning; energy charts and files then have one state. */
