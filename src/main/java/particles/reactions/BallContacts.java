@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
@@ -14,20 +15,18 @@ import particles.reactions.Row.Kind;
  */
 public final class BallContacts {
     private final Blocks blocks;
-    private final BlockImpacts impacts;
     private final ContactModes modes;
     private final Rows rows;
 
     BallContacts(Blocks blocks, RestingContacts contacts) {
         this.blocks = blocks;
-        impacts = contacts.getImpacts();
         modes = contacts.getModes();
         rows = blocks.getRows();
     }
 
     /** Adds a contact of two balls, whose centres are this far apart (m); its number is the next one. */
-    public void touch(int i, int j, double distance) {
-        rows.addLink(Kind.BALLS, i, j, distance);
+    public void touch(int i, int j, double distance, Bounce bounce) {
+        rows.addLink(Kind.BALLS, i, j, distance).bounce = bounce;
     }
 
     /** @return the first ball of a contact */
@@ -38,6 +37,21 @@ public final class BallContacts {
     /** @return its second ball */
     public int second(int contact) {
         return rows.get(contact).second;
+    }
+
+    /** Lets the contact that was added last not end before {@link #unlatch}, though its force may be 0. */
+    public void latch() {
+        rows.get(end() - 1).latched = true;
+    }
+
+    /** Lets contacts end again. */
+    public void unlatch() {
+        rows.list.forEach(row -> row.latched = false);
+    }
+
+    /** @return whether a contact had a bounce in the last impact */
+    public boolean hasBounced(int contact) {
+        return rows.get(contact).bounced;
     }
 
     /** Ends the contact with this number. */
@@ -68,18 +82,6 @@ public final class BallContacts {
             links.add(List.of(second(r), first(r)));
         }
         return links;
-    }
-
-    /**
-     * Applies an impact of the two balls of a contact: rods, wires and touched surfaces transmit the impulse, other
-     * contacts of balls do not.
-     *
-     * @param leaving  the speed with which they separate (m/s)
-     * @param friction the largest impulse of friction, as a multiple of the normal impulse
-     * @param state    the state, in which velocities are changed
-     */
-    public void strike(int contact, double leaving, double friction, double[] state) {
-        impacts.strikePair(contact, leaving, friction, state);
     }
 
     /** Moves balls in contact, and all that is connected to them, by the small error of a step. */
@@ -115,29 +117,37 @@ public final class BallContacts {
         forEach(block -> {
             blocks.solve(block, state, time, force);
             for (Row row : block.rows) {
-                least[0] = row.kind != Kind.BALLS ? least[0] : Math.min(least[0], blocks.push(block, row, force));
+                least[0] = row.kind != Kind.BALLS || rows.get(row.number).latched ? least[0] : Math.min(least[0], blocks.push(block, row, force));
             }
         });
         return least[0];
     }
 
-    /** Ends all contacts of balls, and theirs with surfaces, that separate, but for round-off. */
-    public void partWhereFree(double[] state, double time, double[] force) {
+    /**
+     * Ends all contacts of balls, and theirs with surfaces, that separate, but for round-off.
+     *
+     * @param most the largest push of a contact of balls that ends (N); less than 0 for those that separate only
+     * @return the pairs of balls that were in contact
+     */
+    public List<List<Integer>> partWhereFree(double[] state, double time, double[] force, double most) {
         BitSet ending = new BitSet();
         blocks.prepare(state, time);
         forEach(block -> {
             blocks.solve(block, state, time, force);
             for (Row row : block.rows) {
-                boolean free = row.isContact() && blocks.push(block, row, force) < 0;
-                if (free && row.kind == Kind.BALLS) {
-                    ending.set(row.number);
-                } else if (free) {
+                double push = row.isContact() ? blocks.push(block, row, force) : 0;
+                if (row.kind == Kind.BALLS) {
+                    ending.set(row.number, push <= Math.max(most, -Double.MIN_VALUE) && !rows.get(row.number).latched);
+                } else if (push < 0) {
                     modes.set(row.number, row.first, Mode.FREE);
                 }
             }
         });
+        List<List<Integer>> parted = new ArrayList<>();
         for (int r = ending.length() - 1; r >= 0; r = ending.previousSetBit(r - 1)) {
+            parted.add(List.of(first(r), second(r)));
             part(r);
         }
+        return parted;
     }
 }

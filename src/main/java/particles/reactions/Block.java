@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import particles.law.Particles;
+import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
 
@@ -40,8 +42,7 @@ final class Block {
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
     private final boolean hasPairs;
     private final BitSet placed = new BitSet();         // particles whose contacts have rows
-    private int struckSurface = NONE;                   // has a row for one particle that it does not touch yet
-    private int struckParticle = NONE;
+    private List<Meeting> meetings = List.of();         // have rows, although they do not touch yet
     private double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
@@ -117,18 +118,20 @@ final class Block {
         evaluate(state);
     }
 
-    /** Evaluates the rows with that of an impact of a particle on a surface, which is returned; balls have no rows. */
-    Row takeForImpact(int surface, int particle, double[] state) {
-        struckSurface = surface;
-        struckParticle = particle;
+    /** Evaluates all rows, with those of particles that meet a surface; none is held. */
+    void takeForImpact(List<Meeting> meeting, double[] state) {
+        meetings = meeting;
         gatheredAt = NONE;
-        try {
-            take(state, new BitSet(), NONE);
-        } finally {
-            struckParticle = NONE;
-            gatheredAt = NONE;
-        }
-        return find(Kind.SURFACE, surface, particle).orElseThrow();
+        take(state, new BitSet(), ALL);
+        meetings = List.of();
+        gatheredAt = NONE;
+    }
+
+    /** Solves for these rows only, until they are taken again. */
+    void keep(Stream<Row> kept) {
+        rows = kept.toArray(Row[]::new);
+        assembled = false;
+        layOut();
     }
 
     /** Finds the rows. */
@@ -165,11 +168,20 @@ final class Block {
         if (canMove(i) && !placed.get(i)) {
             placed.set(i);
             for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-                if (contacts.getModes().get(p, i) != Mode.FREE || i == struckParticle && p == struckSurface) {
+                if (contacts.getModes().get(p, i) != Mode.FREE || isMet(p, i)) {
                     found.add(Row.contact(i, p, contacts.getSurfaces().get(p)));
                 }
             }
         }
+    }
+
+    private boolean isMet(int surface, int i) {
+        for (Meeting meeting : meetings) {
+            if (meeting.surface() == surface && meeting.particle() == i) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private boolean canMove(int i) {
@@ -197,7 +209,7 @@ final class Block {
     }
 
     /** The matrix of a single particle stays 1 on one surface. */
-    private void evaluate(double[] state) {
+    void evaluate(double[] state) {
         assembled &= rows.length == 1 && !isJoined();
         for (Row row : rows) {
             row.evaluate(state);

@@ -1,22 +1,48 @@
 package particles.reactions;
 
-import java.util.BitSet;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
 
-/** Impacts of a particle with a surface or another ball, see the {@linkplain particles.reactions theory}. */
+/**
+ * Impacts at one moment, of particles with surfaces and with each other: all contacts that approach are answered
+ * together. With N v &lt; 0 in their rows, the impulses lambda &ge; 0 make N v' &ge; -r N v, with equality where lambda
+ * &gt; 0. So the part of v that leads into the contacts, measured by the masses, is turned back by 1 + r. Contacts that
+ * approach after that, as the next ball of a row does, are answered in the next round, until none approaches. Momentum,
+ * for r = 1 energy, and the symmetry of the set-up are kept, and no order of contacts matters. (B. Smith and others,
+ * "Reflections on simultaneous impact", 2012.)
+ */
 public final class BlockImpacts {
     private static final int STRIDE = Particles.STRIDE;
     /** The largest error of speeds after an impact, relative to those before. */
     private static final double CONTRADICTION = 1e-4;
     /** Speeds below this are round-off, relative to those before. */
     private static final double ROUNDING = 1e-12;
+    /** After this number of rounds, and two for each row, nothing bounces any more; with r = 0.5, 20 leave 1e-6. */
+    private static final int MOST_ROUNDS = 100;
+    /** The largest number of iterations for friction; one is enough for particles with one contact each. */
+    private static final int MOST_ITERATIONS = 200;
 
     private final RestingContacts contacts;
     private final ContactModes modes;
     private final Blocks blocks;
+
+    /**
+     * A particle that meets a surface.
+     *
+     * @param surface  the surface's index
+     * @param particle the particle's index
+     * @param leaving  the speed with which it leaves, if nothing else happens at that moment (m/s)
+     * @param pull     a velocity whose component into another surface brings the particle back to it in time (m/s)
+     */
+    public record Meeting(int surface, int particle, double leaving, Vector3 pull) {
+    }
 
     BlockImpacts(RestingContacts contacts, Blocks blocks) {
         this.contacts = contacts;
@@ -39,7 +65,9 @@ public final class BlockImpacts {
         if (!block.isJoined()) {
             return true;
         }
-        Row struck = block.takeForImpact(surface, particle, state);
+        block.takeForImpact(List.of(new Meeting(surface, particle, 0, Vector3.ZERO)), state);
+        block.keep(Arrays.stream(block.rows).filter(row -> row.kind != Kind.BALLS));
+        Row struck = block.find(Kind.SURFACE, surface, particle).orElseThrow();
         for (Row row : block.rows) {
             row.right = row == struck ? 1 : 0;
         }
@@ -47,52 +75,134 @@ public final class BlockImpacts {
     }
 
     /**
-     * Applies an impact: the particle and its whole linkage change velocity by the impulses of rods, wires and other
-     * touched surfaces, without friction, but not by those of balls in contact. Sticking particles slide from now on,
-     * and lifted ones lose contact.
+     * Answers all impacts at this moment. Rods, wires and surfaces that were touched before transmit impulses; what is
+     * lifted off loses contact, and what sticks slides from now on.
      *
-     * @param surface  the surface's index
-     * @param particle the index of a particle that is not in contact with the surface
-     * @param leaving  the speed with which it leaves (m/s)
-     * @param pull     a velocity whose component into a surface brings a lifted particle back in time (m/s)
+     * @param meetings the particles that meet surfaces
      * @param state    the state, in which velocities are changed
      */
-    public void strike(int surface, int particle, double leaving, Vector3 pull, double[] state) {
-        Block block = blocks.of(particle);
-        Row struck = block.takeForImpact(surface, particle, state);
-        strike(block, struck, leaving, leaving + Vector3.at(state, STRIDE * particle + 3).norm1(), pull, state);
+    public void answer(List<Meeting> meetings, double[] state) {
+        blocks.getRows().list.forEach(row -> row.bounced = false);
+        Map<Block, List<Meeting>> concerned = new LinkedHashMap<>();
+        blocks.joined().stream().filter(Block::hasPairs).forEach(block -> concerned.put(block, new ArrayList<>()));
+        meetings.forEach(meeting -> concerned.computeIfAbsent(blocks.of(meeting.particle), block -> new ArrayList<>())
+                .add(meeting));
+        concerned.forEach((block, some) -> answer(block, some, state));
     }
 
-    /** As {@link BallContacts#strike}. */
-    void strikePair(int pair, double leaving, double friction, double[] state) {
-        int i = blocks.getRows().get(pair).first;
-        int j = blocks.getRows().get(pair).second;
-        Block block = blocks.of(blocks.isCoupled(i) ? i : j);
-        block.take(state, new BitSet(), pair);
-        Row struck = block.find(Kind.BALLS, pair, i).orElseThrow();
-        int vi = STRIDE * i + 3;
-        int vj = STRIDE * j + 3;
-        Vector3 slip = Vector3.at(state, vj).minus(Vector3.at(state, vi));
-        strike(block, struck, leaving, leaving + slip.norm1(), Vector3.ZERO, state);
-        double impulse = friction * struck.force;
-        Vector3 normal = Vector3.at(struck.gradient, 3).normalized();
-        slip = slip.minus(normal.times(normal.dot(slip)));
-        double mobility = block.weight(i) + block.weight(j);
-        double speed = slip.length();
-        if (impulse > 0 && speed > 0) {
-            Vector3 rub = slip.times(Math.min(impulse / speed, 1 / mobility));
-            Vector3.at(state, vi).plus(rub.times(block.weight(i))).put(state, vi);
-            Vector3.at(state, vj).minus(rub.times(block.weight(j))).put(state, vj);
-            block.take(state, new BitSet(), pair);
-            blocks.correctTaken(block, state, 3, true);
+    private void answer(Block block, List<Meeting> meetings, double[] state) {
+        block.takeForImpact(meetings, state);
+        double fast = 0;
+        for (int i : block.particles) {
+            fast = Math.max(fast, Vector3.at(state, STRIDE * i + 3).norm1());
+        }
+        for (Row row : block.rows) {
+            fast = Math.max(fast, Math.abs(row.rate));
+        }
+        Row[] all = block.rows;
+        int most = MOST_ROUNDS + 2 * all.length;
+        for (int round = 0; meets(all, fast) && round <= most; round++) {
+            for (Row row : all) {
+                double leaving = !row.meets || round == most ? 0
+                        : round > 0 ? row.bounce.leaving(-row.rate) : leaving(row, meetings);
+                row.right = row.isIdle() ? 0 : leaving - row.rate;
+                row.stops = row.meets && leaving == 0;
+                if (row.kind == Kind.BALLS && leaving > 0) {
+                    blocks.getRows().get(row.number).bounced = true;
+                }
+            }
+            block.keep(Arrays.stream(all).filter(row -> !row.isContact() || row.meets || touches(row)));
+            strike(block, fast, state);
+            rub(block, fast, state);
+            block.keep(Arrays.stream(all));
+            block.evaluate(state);
+        }
+        for (Row row : block.rows) {
+            if (touches(row) && row.rate > Math.max(ROUNDING * fast, Math.max(row.bounce.restSpeed(),
+                    inwards(row, meetings)))) {
+                modes.set(row.number, row.first, Mode.FREE);
+            }
         }
     }
 
-    /** Solves for the impulses; speeds are relative to the one given as fast (m/s). */
-    private void strike(Block block, Row struck, double leaving, double fast, Vector3 pull, double[] state) {
-        blocks.putErrors(block, 3);
-        struck.right += leaving;
-        if (!block.solve(row -> row != struck, true) || Math.abs(struck.separation) > CONTRADICTION * fast) {
+    /**
+     * Moves a particle out of surfaces that it is below, by the shortest way.
+     *
+     * @param under the surfaces
+     * @param state the state, in which its position is changed
+     */
+    public void lift(int particle, List<ContactSurface> under, double[] state) {
+        int n = under.size();
+        double[] depths = new double[n];
+        double[] moves = new double[n];
+        boolean[] all = new boolean[n];
+        Arrays.fill(all, true);
+        for (int k = 0; k < MOST_ITERATIONS && (k == 0 && n > 0 || n > 1 && isBelow(particle, under, state)); k++) {
+            EnvelopeMatrix products = new EnvelopeMatrix();
+            Vector3[] normals = under.stream().map(surface -> surface.normal(state, particle)).toArray(Vector3[]::new);
+            for (int r = 0; r < n; r++) {
+                products.add(0);
+                for (int c = 0; c <= r; c++) {
+                    double product = r == c ? 1 : normals[r].dot(normals[c]);
+                    products.set(r, c, product, product);
+                }
+                depths[r] = -under.get(r).distance(state, particle);
+            }
+            new ActiveSetMethod().solve(products, depths, all, true, all.clone(), moves, new double[n]);
+            for (int r = 0; r < n; r++) {
+                int x = STRIDE * particle;
+                Vector3.at(state, x).plus(normals[r].times(moves[r])).put(state, x);
+            }
+        }
+    }
+
+    private static boolean isBelow(int particle, List<ContactSurface> under, double[] state) {
+        double near = ROUNDING * (1 + Vector3.at(state, STRIDE * particle).norm1());
+        return under.stream().anyMatch(surface -> surface.distance(state, particle) < -near);
+    }
+
+    /**
+     * Marks the contacts that approach; returns whether there are any. What is left of an approach that was stopped is
+     * an error of dependent rows.
+     */
+    private static boolean meets(Row[] rows, double fast) {
+        boolean any = false;
+        for (Row row : rows) {
+            row.meets = row.isContact() && !row.isIdle() && row.rate < -(row.stops ? CONTRADICTION : ROUNDING) * fast;
+            any |= row.meets;
+        }
+        return any;
+    }
+
+    private boolean touches(Row row) {
+        return row.kind == Kind.SURFACE && modes.get(row.number, row.first) != Mode.FREE;
+    }
+
+    private static double leaving(Row row, List<Meeting> meetings) {
+        for (Meeting meeting : meetings) {
+            if (row.kind == Kind.SURFACE && row.number == meeting.surface && row.first == meeting.particle) {
+                return meeting.leaving;
+            }
+        }
+        return row.bounce.leaving(-row.rate);
+    }
+
+    private static double inwards(Row row, List<Meeting> meetings) {
+        double most = 0;
+        for (Meeting meeting : meetings) {
+            most = meeting.particle == row.first ? Math.max(most, -Vector3.at(row.gradient, 0).dot(meeting.pull)) : most;
+        }
+        return most;
+    }
+
+    /** Solves for the impulses. */
+    private void strike(Block block, double fast, double[] state) {
+        boolean solved = block.solve(row -> true, true);
+        for (Row row : block.rows) {
+            solved &= row.isContact() || Math.abs(row.separation) <= CONTRADICTION * fast;
+        }
+        double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max().orElse(0);
+        if (!solved && approach > CONTRADICTION * fast) {
             throw blocks.failure(block, contacts.getSystem().getTime(), "let no impulses keep all particles out");
         }
         block.move(state, 3);
@@ -100,10 +210,55 @@ public final class BlockImpacts {
             if (row.force != 0) {                       // an impact on one ball leaves the rest of a pile at rest
                 modes.setWhereTouching(row.first, Mode.SLIDING);
                 modes.setWhereTouching(Math.max(row.first, row.second), Mode.SLIDING);
-            } else if (row.kind == Kind.SURFACE && row.separation > Math.max(ROUNDING * fast,
-                    Math.max(row.surface.restSpeed(), -Vector3.at(row.gradient, 0).dot(pull)))) {
-                modes.set(row.number, row.first, Mode.FREE);
             }
+        }
+    }
+
+    /**
+     * Coulomb's impulses across the normals: those that leave the least energy of all that are at most mu times the
+     * normal ones. Jacobi's iteration, with equal shares for all contacts of a particle, does not depend on their order.
+     */
+    private void rub(Block block, double fast, double[] state) {
+        Row[] rows = Arrays.stream(block.rows).filter(row -> row.isContact() && row.bounce.friction() * row.force > 0)
+                .toArray(Row[]::new);
+        if (rows.length == 0) {
+            return;
+        }
+        Vector3[] impulses = new Vector3[rows.length];
+        Arrays.fill(impulses, Vector3.ZERO);
+        double[] slowness = new double[rows.length];
+        for (int r = 0; r < rows.length; r++) {
+            for (int k = 0; k < 2; k++) {
+                int i = rows[r].movable[k];
+                slowness[r] += i < 0 ? 0 : block.weight(i) * Arrays.stream(rows).filter(row -> row.moves(i)).count();
+            }
+        }
+        double change = Double.POSITIVE_INFINITY;
+        for (int iteration = 0; change > ROUNDING * fast && iteration < MOST_ITERATIONS; iteration++) {
+            Vector3[] more = new Vector3[rows.length];
+            change = 0;
+            for (int r = 0; r < rows.length; r++) {
+                Vector3 wanted = impulses[r].minus(rows[r].slip(state).over(slowness[r]));
+                double most = rows[r].bounce.friction() * rows[r].force;
+                double size = wanted.length();
+                more[r] = (size > most ? wanted.times(most / size) : wanted).minus(impulses[r]);
+                change = Math.max(change, slowness[r] * more[r].length());
+            }
+            for (int r = 0; r < rows.length; r++) {
+                impulses[r] = impulses[r].plus(more[r]);
+                for (int k = 0; k < 2; k++) {
+                    int i = rows[r].movable[k];
+                    if (i >= 0) {
+                        int v = STRIDE * i + 3;
+                        double sign = rows[r].kind == Kind.BALLS && k == 0 ? -1 : 1;
+                        Vector3.at(state, v).plus(more[r].times(sign * block.weight(i))).put(state, v);
+                    }
+                }
+            }
+        }
+        if (block.isJoined()) {
+            block.evaluate(state);
+            blocks.correctTaken(block, state, 3, true);
         }
     }
 }

@@ -3,33 +3,27 @@ package particles.reactions;
 import java.util.function.IntToDoubleFunction;
 import particles.law.Obstacle;
 import particles.law.Particles;
-import particles.law.Require;
 import particles.law.Vector3;
 
 /**
  * A plane or sphere that particles bounce off, rest on and slide along.
  *
- * @param name        its name in messages
- * @param obstacle    its geometry
- * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
- * @param friction    its friction
- * @param restSpeed   a particle that would leave the surface slower than this stays in contact (m/s), 0 or more
- * @param radius      the radius of each particle, which touches with its own surface (m); 0 for a point
+ * @param name     its name in messages
+ * @param obstacle its geometry
+ * @param bounce   the law of its impacts
+ * @param friction the friction of particles in contact
+ * @param radius   the radius of each particle, which touches with its own surface (m); 0 for a point
  */
-public record ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed,
+public record ContactSurface(String name, Obstacle obstacle, Bounce bounce, Friction friction,
         IntToDoubleFunction radius) {
-    /** @throws IllegalArgumentException if a number is out of its range */
-    public ContactSurface {
-        if (!(restitution >= 0 && restitution <= 1)) {
-            throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not "
-                    + restitution);
-        }
-        Require.notNegative("the rest speed of '" + name + "'", restSpeed);
-    }
 
-    /** A surface that particles touch as points. */
+    /**
+     * A surface that particles touch as points; its friction acts at impacts too.
+     *
+     * @throws IllegalArgumentException if a number is out of its range
+     */
     public ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
-        this(name, obstacle, restitution, friction, restSpeed, i -> 0);
+        this(name, obstacle, new Bounce(restitution, friction.ofCoulomb(1), restSpeed), friction, i -> 0);
     }
 
     /** @return the distance of a particle's own surface from the surface (m), negative inside */

@@ -25,6 +25,11 @@ final class Row {
     int second;                                         // particle, or NONE
     int number;                                         // of its surface, or in the list from which it was copied
     ContactSurface surface;
+    Bounce bounce;                                      // of a contact
+    boolean meets;                                      // whether a contact's particles approach each other
+    boolean latched;                                    // whether no rule ends it in this step; of balls
+    boolean stops;                                      // whether they do not separate from it; of a contact
+    boolean bounced;                                    // whether it did so in the last impact; of balls
     private Curve curve;
     private int function;                               // which of its curve's
     double value;
@@ -59,12 +64,14 @@ final class Row {
         Row row = new Row(Kind.SURFACE, particle, NONE, 1);
         row.number = number;
         row.surface = surface;
+        row.bounce = surface.bounce();
         return row;
     }
 
     /** A copy without values, with its index in the list of rods, balls and wires. */
     Row numbered(int index) {
         Row row = new Row(kind, first, second, length);
+        row.bounce = bounce;
         row.curve = curve;
         row.function = function;
         row.number = index;
@@ -132,6 +139,22 @@ final class Row {
     /** Whether none of its particles can move, so that it is left out. */
     boolean isIdle() {
         return movable[0] < 0 && movable[1] < 0;
+    }
+
+    /** Whether it moves a particle. */
+    boolean moves(int i) {
+        return movable[0] == i || movable[1] == i;
+    }
+
+    /** The velocity of a contact's second particle, or of its only one, relative to the other side, across the normal. */
+    Vector3 slip(double[] state) {
+        Vector3 velocity = Vector3.at(state, STRIDE * Math.max(first, second) + 3);
+        Vector3 normal = Vector3.at(gradient, 0);
+        if (second >= 0) {
+            velocity = Vector3.at(state, STRIDE * second + 3).minus(Vector3.at(state, STRIDE * first + 3));
+            normal = Vector3.at(gradient, 3).normalized();
+        }
+        return velocity.minus(normal.times(normal.dot(velocity)));
     }
 
     /** Its gradients times a vector of each particle, which begins at {@code place} + 6 i. */

@@ -25,9 +25,11 @@ final class Rows {
     }
 
     /** Adds the row of a rod or of two balls, in the order of kinds; it keeps this distance (m). */
-    void addLink(Kind link, int from, int to, double distance) {
+    Row addLink(Kind link, int from, int to, double distance) {
         changes++;
-        list.add(begin(Kind.values()[link.ordinal() + 1]), new Row(link, from, to, distance));
+        Row row = new Row(link, from, to, distance);
+        list.add(begin(Kind.values()[link.ordinal() + 1]), row);
+        return row;
     }
 
     /** Adds the rows of a bead. */

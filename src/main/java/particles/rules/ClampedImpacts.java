@@ -1,7 +1,13 @@
 package particles.rules;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import particles.ParticleSystem;
 import particles.law.Vector3;
+import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
@@ -22,11 +28,27 @@ import particles.reactions.RestingContacts;
  * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopWithinStep}.
  */
 public final class ClampedImpacts extends Impacts {
+    /** Of the speed that an elastic particle gains in a step: it rests below this, of which a loss is round-off. */
+    private static final double LITTLE = 1e-6;
+
+    private final boolean hasSpheres;
     private double[] arrived = {};                      // the state at the end of the step, before clamping
+
+    /** Impacts are at one moment if their times differ by less than this fraction of the step. */
+    private static final double AT_ONCE = 1e-9;
+
+    /**
+     * A particle that was free and is below a surface now.
+     *
+     * @param crossed when it crossed the surface, as a fraction of the step
+     */
+    private record Below(int surface, int particle, double crossed) {
+    }
 
     /** @param contacts the surfaces and the particles in contact with them */
     public ClampedImpacts(RestingContacts contacts) {
         super(contacts);
+        hasSpheres = surfaces.stream().anyMatch(surface -> !surface.obstacle().isFlat());
     }
 
     @Override
@@ -43,13 +65,29 @@ public final class ClampedImpacts extends Impacts {
         system.getState(arrived);
         boolean changed = false;
         boolean coupledChanged = false;
+        List<Below> below = new ArrayList<>();
         for (int i = 0; i < particles.count(); i++) {
             boolean thisOne = false;
+            if (hasSpheres && !particles.isFixed(i)) {
+                stopFlight(i, deltaT);
+            }
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
-                thisOne |= modes.get(p, i) == Mode.FREE ? collide(p, i, deltaT) : keepInContact(p, i);
+                if (modes.get(p, i) != Mode.FREE) {
+                    thisOne |= keepInContact(p, i);
+                } else {
+                    thisOne |= findBelow(p, i, deltaT, below);
+                }
             }
             changed |= thisOne;
             coupledChanged |= thisOne && contacts.isCoupled(i);
+        }
+        below.sort(Comparator.comparingDouble(Below::crossed));
+        for (int from = 0, to; from < below.size(); from = to) {
+            to = from;
+            while (to < below.size() && below.get(to).crossed <= below.get(from).crossed + AT_ONCE) {
+                to++;
+            }
+            answer(below.subList(from, to), deltaT);
         }
         if (coupledChanged) {
             contacts.putBack();
@@ -62,43 +100,79 @@ public final class ClampedImpacts extends Impacts {
         return changed;
     }
 
-    /** Handles a particle that was free: an impact if it is now below the surface. */
-    private boolean collide(int p, int i, double deltaT) {
+    /** Finds out whether a particle that was free is below a surface now, and when it crossed it. */
+    private boolean findBelow(int p, int i, double deltaT, List<Below> found) {
+        ContactSurface surface = surfaces.get(p);
+        double[] before = contacts.getStepBegin();
+        boolean isBelow = surface.distance(system.getOwnState(), i) < 0;
+        if (isBelow) {
+            double crossed = surface.distance(before, i) > 0 ? firstBelow(surface, before, arrived, deltaT, i, 0) : 0;
+            found.add(new Below(p, i, Double.isNaN(crossed) ? 1 : crossed));
+        }
+        return isBelow;
+    }
+
+    /** Lets particles that crossed surfaces at one moment bounce or rest there. */
+    private void answer(List<Below> crossing, double deltaT) {
         double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
-        ContactSurface surface = surfaces.get(p);
-        boolean isFlat = surface.obstacle().isFlat();
-        if (!isFlat) {
-            stopFlight(surface, i, state, deltaT);
+        double[] most = new double[crossing.size()];
+        List<Meeting> meetings = new ArrayList<>();
+        Map<Integer, List<ContactSurface>> under = new LinkedHashMap<>();
+        for (int k = 0; k < most.length; k++) {
+            int p = crossing.get(k).surface;
+            int i = crossing.get(k).particle;
+            ContactSurface surface = surfaces.get(p);
+            double depth = -surface.distance(state, i);
+            Vector3 normal = surface.normal(state, i);
+            double speed = surface.normalSpeed(state, i);
+            if (depth <= 0) {
+                most[k] = Double.NaN;                   // an impact on another surface has taken it out
+                continue;
+            }
+            under.computeIfAbsent(i, particle -> new ArrayList<>()).add(surface);
+            if (speed >= 0 && !surface.obstacle().isFlat() && isOn(surface, before, i)) {
+                most[k] = Double.NaN;                   // it has just left: below only by the error of its step
+                continue;
+            }
+            double gained = normal.dot(velocity(arrived, i).minus(velocity(before, i)));
+            double atSurface = Math.sqrt(Math.max(0, speed * speed + 2 * gained / deltaT * depth));
+            if (speed < 0) {
+                most[k] = slow(surface, Math.max(Math.abs(gained),
+                        Math.abs(speed - normal.dot(velocity(before, i)))));
+                double leaving = surface.bounce().restitution() * atSurface;
+                boolean rests = leaving <= most[k];
+                // a particle that rests stays on others where it would be back in half a step
+                Vector3 pull = rests && !contacts.isCoupled(i)
+                        ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
+                meetings.add(new Meeting(p, i, rests ? 0 : leaving, pull));
+            } else {
+                most[k] = Double.NaN;
+                if (!contacts.isCoupled(i)) {
+                    moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
+                }
+            }
         }
-        double depth = -surface.distance(state, i);
-        if (depth <= 0) {
-            return false;
-        }
-        Vector3 normal = surface.normal(state, i);
-        lift(surface, state, i);
-        double speed = surface.normalSpeed(state, i);
-        if (speed >= 0 && !isFlat && isOn(surface, before, i)) {
-            return true;                                // it has just left: below only by the error of its step
-        }
-        double gained = normal.dot(velocity(arrived, i).minus(velocity(before, i)));
-        double atSurface = Math.sqrt(Math.max(0, speed * speed + 2 * gained / deltaT * depth));
-        if (speed < 0) {
-            double most = Math.max(Math.abs(gained), Math.abs(speed - normal.dot(velocity(before, i))));
-            double leaving = surface.restitution() * atSurface;
-            boolean rests = leaving <= Math.max(surface.restSpeed(), most);
-            // a particle that rests stays on others where it would be back in half a step
-            Vector3 pull = rests && !contacts.isCoupled(i)
-                    ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
-            bounce(p, i, leaving, rests, pull);
-            if (rests) {
+        under.forEach((i, some) -> contacts.getImpacts().lift(i, some, state));
+        contacts.getImpacts().answer(meetings, state);
+        for (int k = 0; k < most.length; k++) {
+            int i = crossing.get(k).particle;
+            if (surfaces.get(crossing.get(k).surface).normalSpeed(state, i) <= most[k]) {
+                rest(crossing.get(k).surface, i);
                 contacts.putOnSurfaces(i, state);
                 forceKnown = false;
             }
-        } else if (!contacts.isCoupled(i)) {
-            moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
         }
-        return true;
+    }
+
+    /**
+     * The speed below which a particle rests (m/s).
+     *
+     * @param gained what it gained within the step (m/s)
+     */
+    private static double slow(ContactSurface surface, double gained) {
+        return surface.bounce().restitution() == 1 ? LITTLE * gained
+                : Math.max(surface.bounce().restSpeed(), gained);
     }
 
     /** Handles a particle that was in contact: it may leave, hit another surface, begin to slide or stop. */
@@ -141,21 +215,39 @@ public final class ClampedImpacts extends Impacts {
         return true;
     }
 
-    /** Moves a particle that flew through a ball within the step back to where it entered, with its velocity there. */
-    private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
+    /** Moves a particle that flew into balls within the step back to where it first did so, with its velocity there. */
+    private void stopFlight(int i, double deltaT) {
+        double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
-        if (surface.distance(before, i) <= slack(before, i)) {
-            return;                                     // it began on the surface or below, where rods had put it
+        double[] entered = new double[surfaces.size()];
+        double first = 1;
+        for (int p = 0; p < entered.length; p++) {
+            ContactSurface surface = surfaces.get(p);
+            // one that began on the surface or below has been put there by rods
+            boolean mayEnter = !surface.obstacle().isFlat() && modes.get(p, i) == Mode.FREE
+                    && surface.distance(before, i) > slack(before, i);
+            entered[p] = mayEnter ? firstBelow(surface, before, arrived, deltaT, i, 0) : Double.NaN;
+            first = entered[p] < first ? entered[p] : first;
         }
-        double u = firstBelow(surface, before, state, deltaT, i, 0);
-        if (!Double.isNaN(u)) {
-            double[] points = crossing.points;
-            for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
-                state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
-                        + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
-                state[x + 3] = (1 - u) * before[x + 3] + u * state[x + 3];
+        if (first < 1) {
+            crossing.begin(before, arrived, deltaT, i);
+            putOnPath(i, first, before, state);
+        }
+        for (int p = 0; p < entered.length; p++) {
+            if (entered[p] <= first + AT_ONCE) {
+                moveAlong(surfaces.get(p).normal(state, i), state, STRIDE * i,
+                        -surfaces.get(p).distance(state, i) - slack(state, i));
             }
-            moveAlong(surface.normal(state, i), state, STRIDE * i, -surface.distance(state, i) - slack(state, i));
+        }
+    }
+
+    /** Puts a particle where its path has been at a fraction u of the step. */
+    private void putOnPath(int i, double u, double[] before, double[] state) {
+        double[] points = crossing.points;
+        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+            state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
+                    + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
+            state[x + 3] = (1 - u) * before[x + 3] + u * arrived[x + 3];
         }
     }
 }

@@ -3,6 +3,7 @@ package particles.rules;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.DoubleSupplier;
@@ -16,6 +17,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.BallContacts;
+import particles.reactions.Bounce;
 import particles.reactions.RigidConstraints;
 
 /**
@@ -24,24 +26,16 @@ import particles.reactions.RigidConstraints;
  * separation r v, and friction is an impulse across N: at most mu times the normal impulse, and at most what stops the
  * sliding. Balls do not spin.
  *
- * <p>Simultaneous impacts happen one after the other, in the order in which the balls met, until none is left. So in a
- * row of equal balls the impact passes from ball to ball. Balls that would separate no faster than the rest
- * speed do not bounce. Slow balls, and balls that still approach after many impacts, are stopped together.
+ * <p>All impacts at one moment are answered together, with those on surfaces, see {@link
+ * particles.reactions.BlockImpacts}. Balls that would separate no faster than the rest speed do not bounce.
  *
  * <p>Balls that are pressed on each other then stay in contact: {@link RigidConstraints} has their forces, without
  * friction. Such a contact ends where its force would become negative.
  */
 public final class Collisions implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
-    /** The largest gap of balls that begin in contact, relative to 1 m plus the distance from the origin. */
+    /** The largest gap of balls that begin in contact (m). */
     private static final double TOUCHING = 1e-9;
-    /**
-     * The same at an impact, where only round-off counts: with 1e-9, a row of balls that fits exactly between two walls
-     * stuck in steps of nanoseconds.
-     */
-    private static final double ROUND_OFF = 1e-13;
-    /** The largest number of simultaneous impacts for each contact; with r = 0.5, speeds fall to a millionth in 20. */
-    private static final int MOST_IMPACTS = 100;
 
     private final ExactImpacts impacts;
     private final ParticleSystem system;
@@ -50,17 +44,17 @@ public final class Collisions implements EventRule {
     private final Balls balls;
     private final double largest;
     private final NeighbourGrid grid = new NeighbourGrid();
+    private double fast;                                // of all balls, at the last impact (m/s)
+    private final Set<List<Integer>> parted = new HashSet<>();  // in this step, as nothing pushed them together
     private final FirstCrossing crossing = new FirstCrossing();
 
     /**
-     * The law of impact.
+     * Hard balls.
      *
-     * @param radii       the radius of each particle (m), positive
-     * @param restitution r, 0 ... 1
-     * @param friction    mu, 0 or more
-     * @param restSpeed   balls that would separate more slowly than this stay in contact (m/s), 0 or more
+     * @param radii  the radius of each particle (m), positive
+     * @param bounce the law of impact
      */
-    public record Balls(double[] radii, double restitution, double friction, double restSpeed) {
+    public record Balls(double[] radii, Bounce bounce) {
     }
 
     /** A pair of balls. */
@@ -79,6 +73,7 @@ public final class Collisions implements EventRule {
         particles = impacts.particles;
         touching = constraints.balls();
         this.balls = balls;
+        impacts.join(this);
         largest = Arrays.stream(balls.radii).max().orElse(0);
     }
 
@@ -104,7 +99,14 @@ public final class Collisions implements EventRule {
     /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
     @Override
     public void start(ParticleSystem system) {
-        settle(TOUCHING);
+        findTouching(TOUCHING);
+        impacts.answer(-1, -1);
+    }
+
+    @Override
+    public void beforeStep(ParticleSystem system, double deltaT) {
+        parted.clear();
+        touching.unlatch();
     }
 
     /** {@inheritDoc} Removes the solver's error that would let balls in contact drift, as {@link ExactImpacts} does. */
@@ -119,14 +121,14 @@ public final class Collisions implements EventRule {
         double[] begin = motion.getStartState();
         if (touching.hasContacts()) {
             if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
-                    .anyMatch(r -> Math.abs(separation(r, begin)) > slow(r, begin))) {
-                found.add(new Event(motion.getStartTime(), false, () -> 0,
-                        () -> settle(ROUND_OFF)));
+                    .anyMatch(r -> Math.abs(separation(r, begin)) > slow(false))) {
+                found.add(new Event(motion.getStartTime(), false, () -> 0, () -> impacts.answer(-1, -1)));
                 return;
             }
             if (push() < 0) {
                 // just before the end: surfaces are only asked once the balls have parted
-                found.add(new Event(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
+                found.add(new Event(Math.nextDown(motion.getEndTime()), true, this::push,
+                        () -> release(push())));
             }
         }
         double h = motion.getEndTime() - motion.getStartTime();
@@ -176,62 +178,65 @@ public final class Collisions implements EventRule {
                 return begins ? Math.max(above, rate(system.getOwnState(), i, j)) : above;
             };
             found.add(ExactImpacts.meeting(motion, u, begins, function, () -> {
-                touching.touch(i, j, reach(i, j));
-                settle(ROUND_OFF);
+                touch(i, j);
+                impacts.answer(-1, -1);
             }));
         }
     }
 
-    /**
-     * Applies the impacts of balls in contact; contacts that do not push end. Balls that touch but for round-off and
-     * are as slow as at rest take part: left out, a ball could bounce for ever in a gap of round-off size.
-     *
-     * @param near the largest gap, relative to 1 m plus the distance from the origin
-     */
-    private void settle(double near) {
+    /** Notes the balls that touch at this moment: those that approach, and those as slow as at rest. */
+    void findTouching() {
+        findTouching(0);
+    }
+
+    private void findTouching(double near) {
         double[] state = system.getOwnState();
+        fast = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            fast = Math.max(fast, Impacts.velocity(state, i).norm1());
+        }
         findPairs(state, new double[particles.count()], (i, j) -> {
-            if (gap(state, i, j) <= near / TOUCHING * Impacts.slack(state, i)
-                    && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
-                touching.touch(i, j, reach(i, j));
+            if (gap(state, i, j) <= Math.max(near, impacts.moment(state, i) + impacts.moment(state, j))
+                    && rate(state, i, j) <= slow(false)) {
+                touch(i, j);
             }
         });
-        int r = findImpact(state);
-        for (int left = MOST_IMPACTS * touching.end(); r >= 0 && left > 0; left--) {
-            double leaving = -balls.restitution * separation(r, state);
-            touching.strike(r, leaving > balls.restSpeed ? leaving : 0, balls.friction, state);
-            r = findImpact(state);
-        }
+    }
+
+    /** Ends the contacts of balls that separate; those that do not, and do not push, end too. */
+    void settle() {
+        double[] state = system.getOwnState();
         touching.stop(state, true);
-        BitSet parted = new BitSet();
-        for (r = touching.end() - 1; r >= touching.begin(); r--) {
-            if (separation(r, state) > slow(r, state)) {
-                parted.set(touching.first(r));
-                parted.set(touching.second(r));
+        BitSet apart = new BitSet();
+        for (int r = touching.end() - 1; r >= touching.begin(); r--) {
+            if (separation(r, state) > slow(touching.hasBounced(r))) {
+                apart.set(touching.first(r));
+                apart.set(touching.second(r));
                 touching.part(r);
             }
         }
-        parted.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
+        apart.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
+        apart.stream().filter(i -> impacts.contacts.isSlow(i, state)).forEach(i -> impacts.stickIfSlow(i, fast));
         touching.stop(state, false);
-        release();
+        release(-Double.MIN_VALUE);
         impacts.stickOthers();
         impacts.contacts.beginStep();                   // those that stick have stopped others
     }
 
-    /** Ends contacts that do not push. */
-    private void release() {
+    /**
+     * Ends contacts that push no more than some force (N), which is 0 but for round-off.
+     */
+    private void release(double most) {
         impacts.contacts.beginStep();                   // the direction of friction, on which the forces depend
-        touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces());
+        parted.addAll(touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(), most));
     }
 
-    /** The first contact whose balls approach each other faster than the rest speed; -1 for none. */
-    private int findImpact(double[] state) {
-        for (int r = touching.begin(); r < touching.end(); r++) {
-            if (-separation(r, state) > slow(r, state)) {
-                return r;
-            }
+    /** Lets two balls touch; if they had parted in this step, until its end: it could go on for ever. */
+    private void touch(int i, int j) {
+        touching.touch(i, j, reach(i, j), balls.bounce);
+        if (parted.contains(List.of(i, j))) {
+            touching.latch();
         }
-        return -1;
     }
 
     private double separation(int r, double[] state) {
@@ -240,9 +245,9 @@ public final class Collisions implements EventRule {
         return apart(state, i, j, 0).dot(apart(state, i, j, 3)) / reach(i, j);
     }
 
-    private double slow(int r, double[] state) {
-        return Math.max(balls.restSpeed, Impacts.ROUNDING * (Impacts.velocity(state, touching.first(r)).norm1()
-                + Impacts.velocity(state, touching.second(r)).norm1()));
+    /** The speed below which balls do not separate: round-off, or if they have not bounced now, the rest speed. */
+    private double slow(boolean bounced) {
+        return Math.max(bounced ? 0 : balls.bounce.restSpeed(), Impacts.ROUNDING * fast);
     }
 
     private double push() {

@@ -1,11 +1,14 @@
 package particles.rules;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.law.Vector3;
+import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
@@ -20,10 +23,20 @@ public final class ExactImpacts extends Impacts implements EventRule {
     /** Relative to the size of the motion: 32 round-offs, for a solver's stages, a spring's force and a distance. */
     static final double DEEP = 0x1p-48;
 
+    /** Round-off of places, relative to 1 m plus the distance from the origin. */
+    static final double ROUND_OFF = 1e-13;
+
+    private Optional<Collisions> balls = Optional.empty();
+
     /** @param contacts the surfaces and the particles in contact with them */
     public ExactImpacts(RestingContacts contacts) {
         super(contacts);
         contacts.setHolding(true);
+    }
+
+    /** Answers impacts of balls together with those on surfaces. */
+    void join(Collisions collisions) {
+        balls = Optional.of(collisions);
     }
 
     /**
@@ -173,23 +186,62 @@ public final class ExactImpacts extends Impacts implements EventRule {
 
     /** A free particle meets a surface: it bounces, comes to rest, or leaves if it was below by round-off. */
     private void meet(int p, int i) {
-        ContactSurface surface = surfaces.get(p);
-        double[] state = system.getOwnState();
-        lift(surface, state, i);
-        double speed = velocity(state, i).length();
-        double approach = surface.normalSpeed(state, i);
-        if (approach <= 0 || isPressedOn(p, i)) {
-            double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside: it leaves
-            boolean rests = leaving <= surface.restSpeed();
-            boolean isAlone = !contacts.isCoupled(i);
-            bounce(p, i, leaving, rests, Vector3.ZERO);
-            contacts.putOnSurfaces(i, state);
-            if (rests || isAlone) {
-                stickIfSlow(i, speed);
-            }
-            contacts.settle(i, false, state);
+        lift(surfaces.get(p), system.getOwnState(), i);
+        if (surfaces.get(p).normalSpeed(system.getOwnState(), i) <= 0 || isPressedOn(p, i)) {
+            answer(p, i);
         }
         contacts.beginStep();
+    }
+
+    /** Answers all impacts of this moment, besides those that are known. */
+    final void answer(int p, int i) {
+        double[] state = system.getOwnState();
+        double[] before = state.clone();
+        List<Meeting> meetings = findMeetings(p, i);
+        balls.ifPresent(Collisions::findTouching);
+        contacts.getImpacts().answer(meetings, state);
+        for (Meeting meeting : meetings) {
+            int j = meeting.particle();
+            ContactSurface surface = surfaces.get(meeting.surface());
+            boolean rests = surface.normalSpeed(state, j) <= restSpeed(surface, j);
+            boolean isAlone = !contacts.isCoupled(j);
+            if (rests) {
+                rest(meeting.surface(), j);
+            }
+            contacts.putOnSurfaces(j, state);
+            if (rests || isAlone) {
+                stickIfSlow(j, velocity(before, j).length());
+            }
+            contacts.settle(j, false, state);
+        }
+        balls.ifPresent(Collisions::settle);
+    }
+
+    /** The free particles that meet a surface now, with the given one if there is any. */
+    private List<Meeting> findMeetings(int known, int particle) {
+        double[] state = system.getOwnState();
+        List<Meeting> found = new ArrayList<>();
+        for (int i = 0; i < particles.count(); i++) {
+            for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
+                ContactSurface surface = surfaces.get(p);
+                boolean given = p == known && i == particle;
+                if (given || modes.get(p, i) == Mode.FREE && Math.abs(surface.distance(state, i)) <= moment(state, i)
+                        && surface.normalSpeed(state, i) < 0) {
+                    lift(surface, state, i);
+                    double speed = surface.normalSpeed(state, i);
+                    double leaving = -surface.bounce().restitution() * speed;
+                    found.add(new Meeting(p, i, speed >= 0 ? speed : leaving > restSpeed(surface, i) ? leaving : 0,
+                            Vector3.ZERO));
+                }
+            }
+        }
+        return found;
+    }
+
+    /** How far apart two may be that meet at this moment: round-off of a place, and of the clock (m). */
+    final double moment(double[] state, int i) {
+        return ROUND_OFF * (1 + Vector3.at(state, STRIDE * i).norm1())
+                + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * velocity(state, i).norm1();
     }
 
     private boolean isPressedOn(int p, int i) {

@@ -20,16 +20,19 @@ abstract class Impacts implements Rule {
     static final int STRIDE = Particles.STRIDE;
     /** Round-off of a few operations, relative to a speed. */
     static final double ROUNDING = 1e-12;
+    /** An elastic particle rests only where it would bounce this often in a step. */
+    private static final double BOUNCES = 1000;
     /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
     /** The largest error of an event's time, in ulps of the clock. */
-    private static final int CLOCK_ROUNDINGS = 4;
+    static final int CLOCK_ROUNDINGS = 4;
 
     final RestingContacts contacts;
     final ParticleSystem system;
     final Particles particles;
     final List<ContactSurface> surfaces;
     final ContactModes modes;
+    double deltaT;
     boolean forceKnown;
     private double[] force = {};
     final FirstCrossing crossing = new FirstCrossing();
@@ -56,7 +59,7 @@ abstract class Impacts implements Rule {
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 ContactSurface surface = surfaces.get(p);
-                if (isOn(surface, state, i) && Math.abs(surface.normalSpeed(state, i)) <= surface.restSpeed()) {
+                if (isOn(surface, state, i) && Math.abs(surface.normalSpeed(state, i)) <= surface.bounce().restSpeed()) {
                     rest(p, i);
                 }
             }
@@ -71,6 +74,7 @@ abstract class Impacts implements Rule {
 
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
+        this.deltaT = deltaT;
         contacts.beginStep();
         forceKnown = false;
     }
@@ -87,6 +91,14 @@ abstract class Impacts implements Rule {
         return force;
     }
 
+    /** The speed below which a particle does not leave a surface (m/s). */
+    final double restSpeed(ContactSurface surface, int i) {
+        if (surface.bounce().restitution() < 1) {
+            return surface.bounce().restSpeed();
+        }
+        return velocity(forces(), i).length() / particles.mass(i) * deltaT / 2 / BOUNCES;
+    }
+
     final double pressure(int p, int i) {
         return contacts.getQueries().pressure(p, i, system.getOwnState(), forces());
     }
@@ -95,22 +107,8 @@ abstract class Impacts implements Rule {
         return contacts.getQueries().holdMargin(i, system.getOwnState(), forces());
     }
 
-    /**
-     * Lets a particle leave a surface or rest on it. Rods, wires and other touched surfaces transmit the impulse, which
-     * may lift it or others off.
-     *
-     * @param leaving the normal speed with which it leaves (m/s)
-     * @param pull    a velocity whose component into a surface brings a lifted particle back in time (m/s)
-     */
-    final void bounce(int p, int i, double leaving, boolean rests, Vector3 pull) {
-        contacts.getImpacts().strike(p, i, rests ? 0 : leaving, pull, system.getOwnState());
-        if (rests) {
-            rest(p, i);
-        }
-    }
-
     /** Lets a particle rest on a surface; where contact lasts until a release, only if the forces press it on. */
-    private void rest(int p, int i) {
+    final void rest(int p, int i) {
         if (contacts.getImpacts().canPush(p, i, system.getOwnState())) {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);

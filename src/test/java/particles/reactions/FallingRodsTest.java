@@ -163,7 +163,7 @@ class FallingRodsTest {
                   - {id: middle, position: [0.7, 1.2, 0]}
                   - {id: end, position: [1.3, 1.5, 0]}
                 rods: [{from: pivot, to: middle}, {from: middle, to: end}]
-                """ + ground(0.3, 0.01, 0.5, 0));
+                """ + ground(0.3, 0.01, 0.5, 0).replace("threshold", "impacts: false, threshold"));
         double length = Math.hypot(0.7, 0.2) + Math.hypot(0.6, 0.3);
         double reach = pendulum.getStates().stream().mapToDouble(state -> state[12]).min().orElseThrow();
         assertEquals(-Math.sqrt(length * length - 1), reach, 1e-8);

@@ -26,6 +26,7 @@ import particles.Rule;
 import particles.SimulationException;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
+import particles.reactions.Bounce;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.RigidConstraints;
 import particles.scene.ShortRun;
@@ -312,7 +313,7 @@ class CollisionsTest {
               - {from: a, to: c}
             rules:
               - collisions: {radius: 0.05, restitution: 0.4, friction: 0.3}
-              - ground: {friction: {law: coulomb, coefficient: 0.4}}
+              - ground: {friction: {law: coulomb, coefficient: 0.4, impacts: false}}
             """, """
             particles:                                  # balls of three sizes in a bowl
               - {id: a, position: [-0.5, 0.2, 0], radius: 0.2}
@@ -375,7 +376,7 @@ class CollisionsTest {
         "4, 0.7, 0.3"})
     void aBoxOfBallsComesToRest(int side, double half, double friction) {
         String law = "restitution: 0.3, friction: {law: coulomb, coefficient: " + friction + "}";
-        ShortRun run = ShortRun.of("rk4 exact 0.005 1.5", """
+        ShortRun run = ShortRun.of("rk4 exact 0.005 2", """
                 shapes:
                   - cloth: {id: ball, corner: [%s, %s, 0], across: [%s, 0.06, 0], down: [0.05, %s, 0],
                             columns: %d, rows: %5$d, mass: 1, surface: false}
@@ -457,8 +458,8 @@ class CollisionsTest {
         }
         RigidConstraints rods = new RigidConstraints(system, 0);
         rods.addRod(0, 1, 1);
-        rods.balls().touch(1, 2, 1);
-        rods.balls().touch(3, 4, 1);
+        rods.balls().touch(1, 2, 1, new Bounce(1, 0, 0));
+        rods.balls().touch(3, 4, 1, new Bounce(1, 0, 0));
         rods.reindex(new int[] {0, 1, 2, -1, 3});
         assertEquals(1, rods.springCount());
         assertEquals(1, rods.balls().end() - rods.balls().begin());
@@ -473,7 +474,7 @@ class CollisionsTest {
                   - {id: b, position: [0, 0.1, 0.2]}
                   - {id: c, position: [0, 1, 0.19], velocity: [0, -5, 0]}
                 rules:
-                  - ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.6}}
+                  - ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.6, impacts: false}}
                   - collisions: {radius: 0.1}
                 effects: [gravity: {acceleration: [4, -9.81, 0]}]
                 """);

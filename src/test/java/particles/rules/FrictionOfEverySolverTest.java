@@ -79,7 +79,8 @@ class FrictionOfEverySolverTest {
               - rope: {id: rope, start: [-0.6, 0.55, 0.02], end: [0.7, 0.55, 0.02], particles: 12, totalMass: 0.2,
                        structural: {stiffness: 200, damping: 0.1}}
             rules:
-              - sphere: {centre: [0, 0, 0], radius: 0.5, restitution: 0, friction: {law: coulomb, coefficient: 0.4}}
+              - sphere: {centre: [0, 0, 0], radius: 0.5, restitution: 0,
+                        friction: {law: coulomb, coefficient: 0.4, impacts: false}}
             """;
 
     /**

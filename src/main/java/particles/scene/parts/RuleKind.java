@@ -17,9 +17,11 @@ import particles.law.AnchorMotion.SineMotion;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
+import particles.reactions.Bounce;
 import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
 import particles.rules.Collisions;
+import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.Kind.Chosen;
@@ -43,12 +45,17 @@ public class RuleKind extends Kind {
     private static final Key<Double> THRESHOLD = NumberType.notNegative("m/s").withDefault("threshold", 0.01,
             "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
 
+    private static final Key<Boolean> IN_IMPACTS = FlagType.FLAG.withDefault("impacts", true,
+            "Whether Coulomb friction acts at impacts too; with false they keep the velocity along the surface, as on"
+            + " the slides.");
+
     static final Key<Double> RESTITUTION = NumberType.between(0, 1, "").withDefault("restitution", 0.5,
             "r: a bounce turns the normal velocity v into -r v. With 0 nothing bounces; with 1 no energy is lost.");
-    static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD)
+    static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD,
+            IN_IMPACTS)
             .optional("friction", "Friction on particles in contact with the surface; no friction if left out.");
     static final Key<Double> REST_SPEED = NumberType.notNegative("m/s").withDefault("restSpeed", 0.01,
-            "A particle that would bounce off more slowly than this stays in contact (m/s).");
+            "A particle that would bounce off more slowly than this stays in contact (m/s); with restitution 1, none.");
 
     /** The anchor that a prescribed motion moves; other rules have no key of this name. */
     public static final Key<String> ANCHOR = TextType.of("the id of a fixed particle", "\\S").required("particle",
@@ -97,7 +104,7 @@ public class RuleKind extends Kind {
     /** @return whether a rule makes particles bounce lower and lower, without end */
     public static boolean bouncesForEver(Chosen<RuleKind> rule) {
         return rule.values().find(REST_SPEED).filter(speed -> speed == 0).isPresent()
-                && rule.values().get(RESTITUTION) > 0;
+                && rule.values().get(RESTITUTION) > 0 && rule.values().get(RESTITUTION) < 1;
     }
 
     /** @return whether this rule of a scene makes hard balls of particles */
@@ -121,8 +128,9 @@ public class RuleKind extends Kind {
 
         OfSolid(String name, String sentence, Function<Values, Obstacle> solid, Key<?>... keys) {
             super(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name, solid.apply(values),
-                    values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE),
-                    values.get(REST_SPEED), assembly::radius)), keys);
+                    new Bounce(values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::ofImpacts).orElse(0.0),
+                            values.get(REST_SPEED)),
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), assembly::radius)), keys);
             this.solid = solid;
         }
 
@@ -161,6 +169,10 @@ public class RuleKind extends Kind {
         return new Friction(law, values.get(COEFFICIENT), holding, values.get(THRESHOLD));
     }
 
+    private static double ofImpacts(Values friction) {
+        return friction.get(IN_IMPACTS) ? friction(friction).ofCoulomb(1) : 0;
+    }
+
     private static final Key<Double> HEIGHT = NumberType.any("m").withDefault("height", 0.0, "Its height (m).");
 
     static final RuleKind GROUND = new OfSolid("ground",
@@ -190,8 +202,8 @@ public class RuleKind extends Kind {
             (values, assembly) -> {
                 double[] radii = new double[assembly.particles().count()];
                 Arrays.setAll(radii, i -> assembly.ownRadius(i).orElse(values.get(SharedKeys.BALL_RADIUS)));
-                assembly.set(new Collisions.Balls(radii, values.get(RESTITUTION), values.get(IMPACT_FRICTION),
-                        values.get(REST_SPEED)));
+                assembly.set(new Collisions.Balls(radii, new Bounce(values.get(RESTITUTION),
+                        values.get(IMPACT_FRICTION), values.get(REST_SPEED))));
             }, SharedKeys.BALL_RADIUS, RESTITUTION, IMPACT_FRICTION, REST_SPEED);
 
     private static final Key<Double> PERIOD = NumberType.positive("s").required("period",
