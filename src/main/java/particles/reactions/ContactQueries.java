@@ -147,4 +147,23 @@ public final class ContactQueries {
         }
         return pushed > 0 ? withstood - Math.sqrt(rest.dot(rest)) : -1;
     }
+
+    /**
+     * How long sliding friction takes to stop a particle that is not coupled.
+     *
+     * @param velocity its velocity (m/s)
+     * @param force    the total force of all effects (N)
+     * @return the time (s); infinite if it does not slow down
+     */
+    public double stoppingTime(int i, Vector3 velocity, double[] state, double[] force) {
+        double speed = velocity.length();
+        if (speed == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double slowing = -Vector3.at(force, Particles.STRIDE * i + 3).dot(velocity) / speed;
+        for (Row row : push(i, state, force).rows) {
+            slowing += row.surface.friction().ofCoulomb(row.force);
+        }
+        return slowing > 0 ? system.getParticles().mass(i) * speed / slowing : Double.POSITIVE_INFINITY;
+    }
 }

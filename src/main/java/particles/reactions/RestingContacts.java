@@ -53,6 +53,9 @@ public final class RestingContacts implements Reaction {
     private BlockImpacts impacts;
     private ContactQueries queries;
     private boolean holding;
+    private BitSet foreseen = new BitSet();             // particles that may stop within the next step
+    private double foreseenStep = Double.NaN;           // its length (s)
+    private double[] stoppingForce = {};                // of all effects where that was found out (N)
 
     /**
      * @param system   the system of the particles
@@ -199,12 +202,14 @@ public final class RestingContacts implements Reaction {
         BitSet stopping = new BitSet();
         double[] state = system.getOwnState();
         double[] force = {};
+        stoppingForce = force;
         for (int i = 0; i < modes.end(); i++) {
             double rubbing = modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
             if (rubbing > 0) {
                 if (force.length == 0) {
                     force = new double[system.getStateSize()];
                     system.addUpEffects(state, system.getTime(), force);
+                    stoppingForce = force;
                 }
                 double speed = Vector3.at(state, STRIDE * i + 3).length();
                 double pull = Vector3.at(force, STRIDE * i + 3).length() / particles.mass(i);
@@ -224,10 +229,23 @@ public final class RestingContacts implements Reaction {
      * @param deltaT the length of the step (s)
      */
     public void stopWithinStep(double deltaT) {
-        BitSet stopping = stoppingWithin(deltaT);
+        BitSet stopping = deltaT == foreseenStep ? foreseen : stoppingWithin(deltaT);
+        foreseenStep = Double.NaN;
         for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
             sliding.stopWithinStep(i, particles.mass(i) / deltaT);
         }
+    }
+
+    /**
+     * Whether friction acts as an impulse on any particle in the next step. Its law then differs from that of the step
+     * before, and solvers must not use earlier forces.
+     *
+     * @param deltaT the length of the next step (s)
+     */
+    public boolean foreseeStops(double deltaT) {
+        foreseen = stoppingWithin(deltaT);
+        foreseenStep = deltaT;
+        return !foreseen.isEmpty();
     }
 
     /**
@@ -240,6 +258,25 @@ public final class RestingContacts implements Reaction {
         Vector3 before = Vector3.at(sliding.getStepBegin(), STRIDE * particle + 3);
         double slow = sliding.mayStop(particle) ? ALMOST_STOPPED * before.length() : 0;
         return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
+    }
+
+    /** @return how long sliding friction takes to stop a particle that {@link #mayStop}, from the step's start (s) */
+    public double stoppingTime(int particle) {
+        double[] state = sliding.getStepBegin();
+        return queries.stoppingTime(particle, Vector3.at(state, STRIDE * particle + 3), state, stoppingForce);
+    }
+
+    /** Lets friction stop a particle this time (s) after the step's start. */
+    public void stopAfter(int particle, double time) {
+        sliding.stopWithinStep(particle, particles.mass(particle) / time);
+    }
+
+    /**
+     * @param particle its index
+     * @return whether friction acts on it as an impulse in the present step
+     */
+    public boolean mayStop(int particle) {
+        return sliding.mayStop(particle);
     }
 
     /** @return the state at the beginning of the step; read only */
@@ -308,6 +345,7 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void reindex(int[] newIndex) {
+        foreseenStep = Double.NaN;
         modes.reindex(newIndex);
         sliding.forget();
     }

@@ -43,10 +43,20 @@
  * holds if at least one solution stays in all cones. Rods in one line that close a polygon without area cannot stop a
  * motion across the line with finite forces, and are refused when a scene is read.
  *
- * <p><b>From impacts to contacts.</b> At an impact the normal velocity v<sub>n</sub> becomes -r v<sub>n</sub>, and
- * v<sub>t</sub> stays; impulses obey the same equations with velocities in place of accelerations, and contacts that
- * touched before may open. A bounce slower than the surface's rest speed, or than what the forces give back within a
- * step, becomes a contact. Within a step the contacts and their modes (sliding or sticking) are fixed. Rules change
+ * <p><b>Impacts.</b> At an impact the normal velocity v<sub>n</sub> becomes -r v<sub>n</sub>; impulses obey the same
+ * equations with velocities in place of accelerations. All contacts of surfaces and balls that approach at one moment
+ * are answered together: lambda &ge; 0 and J v' &ge; -r J v, with equality where lambda &gt; 0, in their rows, and J v' =
+ * 0 in those of rods and wires. With one r this turns back by 1 + r the part of v that leads into the contacts, measured
+ * by the masses. Contacts that approach after that are answered in the next round, as each ball of Newton's cradle hits
+ * the next one, until none approaches (B. Smith and others, "Reflections on simultaneous impact", ACM Transactions on
+ * Graphics 31, 2012). Momentum is kept, and for r = 1 energy; no order of lines matters. Surfaces that were touched
+ * before take part with r = 0 and may open. Coulomb's friction acts as an impulse too, in all rows with a normal one:
+ * of all impulses along the surfaces, at most mu times the normal ones, those that leave the least energy. The slides
+ * keep v<sub>t</sub>; a scene can choose that.
+ *
+ * <p><b>From impacts to contacts.</b> A bounce slower than the surface's rest speed, or than what the forces give back
+ * within a step, becomes a contact; with r = 1 only one that is a round-off of the motion. Within a step the contacts
+ * and their modes (sliding or sticking) are fixed. Rules change
  * them between steps or at located events, by distance and by the forces and velocities at the end of the step as this
  * solver made it. If the release is a located event, the contacts of a block without touching balls hold until then:
  * lambda may become negative within a step, and the contact ends where it does. Otherwise lambda &ge; 0 holds at each
@@ -55,13 +65,10 @@
  *
  * <p><b>Balls on balls.</b> With the rule {@code collisions}, particles are hard spheres. Two that touch have the row
  * of a rod between their centres, as long as the sum of their radii, with lambda &ge; 0. Balls in lasting contact have
- * no friction. At an impact there is a friction impulse, at most mu times the normal one and at most what ends the
- * sliding. An impact is solved with all rods, wires and surfaces of the block, but with no other contact of balls: of
- * several at the same time, one follows the other, as in Newton's cradle, until none is left or all that remain are
- * slow, or there were 100 for each contact. These stop together. Then, and where balls accelerate apart, the
- * complementarity problem tells which contacts separate; a contact with neither force nor separation lasts. In a dense
- * packing many contacts are dependent: forces are not unique, motion is. Errors of distances are corrected after each
- * step and not by feedback: those of dependent rows cannot all decay.
+ * no friction. Where balls accelerate apart, the complementarity problem tells which contacts separate; a contact with
+ * neither force nor separation lasts, and two that meet again in the step in which they parted stay together until its
+ * end. In a dense packing many contacts are dependent: forces are not unique, motion is. Errors of distances are
+ * corrected after each step and not by feedback: those of dependent rows cannot all decay.
  *
  * <p>At up to 200 steps and at the end of each run the largest violation of a rod, wire or contact is noted, as a
  * fraction of its length or radius (of 1 m for planes and wires), and the difference between the work that is reported

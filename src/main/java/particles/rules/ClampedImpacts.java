@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import particles.EventRule;
+import particles.Motion;
 import particles.ParticleSystem;
 import particles.law.Vector3;
 import particles.reactions.BlockImpacts.Meeting;
@@ -25,12 +27,18 @@ import particles.reactions.RestingContacts;
  * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
  * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
  * friction's threshold or has reversed within a step, if static friction can hold it. In a step in which Coulomb
- * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopWithinStep}.
+ * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopWithinStep}; where that would let
+ * it slide visibly too far, the step is divided at the stop.
  */
-public final class ClampedImpacts extends Impacts {
+public final class ClampedImpacts extends Impacts implements EventRule {
     /** Of the speed that an elastic particle gains in a step: it rests below this, of which a loss is round-off. */
     private static final double LITTLE = 1e-6;
 
+    /** What a particle may slide too far in the step of its stop, relative to 1 m plus the distance from the origin. */
+    private static final double FAR = 1e-5;
+
+    private final Map<Integer, Double> stops = new LinkedHashMap<>();      // particles, and when friction stops them (s)
+    private double stepEnd;
     private final boolean hasSpheres;
     private double[] arrived = {};                      // the state at the end of the step, before clamping
 
@@ -54,11 +62,40 @@ public final class ClampedImpacts extends Impacts {
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
         super.beforeStep(system, deltaT);
+        stepEnd = system.getTime() + deltaT;
         contacts.stopWithinStep(deltaT);
+        stops.clear();
+        for (int i = 0; i < modes.end(); i++) {
+            double time = contacts.mayStop(i) && !contacts.isCoupled(i) ? contacts.stoppingTime(i) : deltaT;
+            double[] state = system.getOwnState();
+            double farther = velocity(state, i).length() * (deltaT - time) / 2;
+            if (time < deltaT && farther > FAR * (1 + Vector3.at(state, STRIDE * i).norm1())) {
+                contacts.stopAfter(i, time);
+                stops.put(i, system.getTime() + time);
+            }
+        }
+    }
+
+    /** {@inheritDoc} Divides the step where a particle stops, if it would slide visibly farther otherwise. */
+    @Override
+    public void findEvents(Motion motion, List<Event> found) {
+        stops.forEach((i, time) -> {
+            if (time < motion.getEndTime()) {
+                found.add(new Event(time, false, () -> time - system.getTime(), () -> stop(i)));
+            }
+        });
+    }
+
+    private void stop(int i) {
+        forceKnown = false;
+        if (holdMargin(i) >= 0) {
+            stick(i, system.getOwnState());
+        }
+        beforeStep(system, stepEnd - system.getTime());
     }
 
     @Override
-    public boolean afterStep(ParticleSystem system, double deltaT) {
+    public boolean afterStep(ParticleSystem system, double whole) {
         if (arrived.length != system.getStateSize()) {
             arrived = new double[system.getStateSize()];
         }
@@ -97,7 +134,7 @@ public final class ClampedImpacts extends Impacts {
         for (int i = 0; i < modes.end(); i++) {
             changed |= slideOrStick(i);
         }
-        return changed;
+        return contacts.foreseeStops(whole) || changed;
     }
 
     /** Finds out whether a particle that was free is below a surface now, and when it crossed it. */

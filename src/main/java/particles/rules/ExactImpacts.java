@@ -227,7 +227,9 @@ public final class ExactImpacts extends Impacts implements EventRule {
                 boolean given = p == known && i == particle;
                 if (given || modes.get(p, i) == Mode.FREE && Math.abs(surface.distance(state, i)) <= moment(state, i)
                         && surface.normalSpeed(state, i) < 0) {
-                    lift(surface, state, i);
+                    if (!given) {
+                        lift(surface, state, i);
+                    }
                     double speed = surface.normalSpeed(state, i);
                     double leaving = -surface.bounce().restitution() * speed;
                     found.add(new Meeting(p, i, speed >= 0 ? speed : leaving > restSpeed(surface, i) ? leaving : 0,
