@@ -117,7 +117,9 @@ public final class BallContacts {
         forEach(block -> {
             blocks.solve(block, state, time, force);
             for (Row row : block.rows) {
-                least[0] = row.kind != Kind.BALLS || rows.get(row.number).latched ? least[0] : Math.min(least[0], blocks.push(block, row, force));
+                if (row.kind == Kind.BALLS && !rows.get(row.number).latched) {
+                    least[0] = Math.min(least[0], blocks.push(block, row, force));
+                }
             }
         });
         return least[0];

@@ -190,7 +190,9 @@ public final class BlockImpacts {
     private static double inwards(Row row, List<Meeting> meetings) {
         double most = 0;
         for (Meeting meeting : meetings) {
-            most = meeting.particle == row.first ? Math.max(most, -Vector3.at(row.gradient, 0).dot(meeting.pull)) : most;
+            if (meeting.particle == row.first) {
+                most = Math.max(most, -Vector3.at(row.gradient, 0).dot(meeting.pull));
+            }
         }
         return most;
     }
@@ -201,7 +203,8 @@ public final class BlockImpacts {
         for (Row row : block.rows) {
             solved &= row.isContact() || Math.abs(row.separation) <= CONTRADICTION * fast;
         }
-        double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max().orElse(0);
+        double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
+                .orElse(0);
         if (!solved && approach > CONTRADICTION * fast) {
             throw blocks.failure(block, contacts.getSystem().getTime(), "let no impulses keep all particles out");
         }
@@ -216,7 +219,8 @@ public final class BlockImpacts {
 
     /**
      * Coulomb's impulses across the normals: those that leave the least energy of all that are at most mu times the
-     * normal ones. Jacobi's iteration, with equal shares for all contacts of a particle, does not depend on their order.
+     * normal ones. Jacobi's iteration, with equal shares for all contacts of a particle, does not depend on their
+     * order.
      */
     private void rub(Block block, double fast, double[] state) {
         Row[] rows = Arrays.stream(block.rows).filter(row -> row.isContact() && row.bounce.friction() * row.force > 0)

@@ -138,12 +138,41 @@ final class Blocks {
         prepare(state, time);
         for (int b = 0; b < some.size(); b++) {
             Block block = some.get(b);
+            if (isAlone(block)) {
+                addAlone(block.particles[0], state, force);
+                continue;
+            }
             solve(block, state, time, force);
             block.addForces(force);
             for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
                 Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
             }
         }
+    }
+
+    /** Whether a block is one particle that slides on one surface: it needs no system of equations. */
+    private boolean isAlone(Block block) {
+        return !block.isJoined() && modes.only(block.particles[0]) >= 0 && !modes.isSticking(block.particles[0]);
+    }
+
+    private double addAlone(int i, double[] state, double[] force) {
+        return contacts.getSliding().addAlone(i, particles.mass(i), contacts.getSurfaces().get(modes.only(i)),
+                !contacts.isHolding(), state, force);
+    }
+
+    /** The power of friction on particles that touch surfaces and are not coupled (W). */
+    double frictionPower(double[] state, double time, double[] force) {
+        double[] own = force.clone();
+        double sum = 0;
+        List<Block> others = new ArrayList<>();
+        for (Block block : touching()) {
+            if (isAlone(block)) {
+                sum += addAlone(block.particles[0], state, own);
+            } else {
+                others.add(block);
+            }
+        }
+        return sum + power(others, state, time, force, row -> row.frictionPower(state));
     }
 
     /** The sum of a power over the rows of some blocks (W). */

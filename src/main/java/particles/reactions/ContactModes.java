@@ -77,6 +77,20 @@ public final class ContactModes {
         }
     }
 
+    /** The surface that a particle touches, if it is one only; -1 otherwise. */
+    int only(int particle) {
+        int only = -1;
+        for (int p = 0; p < surfaces; p++) {
+            if (get(p, particle) != Mode.FREE) {
+                if (only >= 0) {
+                    return -1;
+                }
+                only = p;
+            }
+        }
+        return only;
+    }
+
     /** Updates indices after particles were removed. */
     public void reindex(int[] newIndex) {
         Mode[][] before = modes;

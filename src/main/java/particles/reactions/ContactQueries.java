@@ -65,6 +65,9 @@ public final class ContactQueries {
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
         Block block = blocks.of(particle);
+        if (!block.isJoined() && modes.only(particle) == surface) {
+            return pushAlone(surface, particle, state, force);
+        }
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
@@ -78,6 +81,11 @@ public final class ContactQueries {
         Optional<Row> row = block.find(Kind.SURFACE, surface, particle);
         double push = row.isEmpty() ? 0 : blocks.push(block, row.get(), force);
         return row.isEmpty() || push == row.get().force ? push : push / block.weight(particle);
+    }
+
+    private double pushAlone(int surface, int i, double[] state, double[] force) {
+        ContactSurface only = contacts.getSurfaces().get(surface);
+        return SlidingFriction.push(only.normal(state, i), i, system.getParticles().mass(i), only, state, force);
     }
 
     /** Finds the normal forces on one particle under a known force, without friction. */
@@ -136,6 +144,14 @@ public final class ContactQueries {
 
     /** The margin of a particle under a known force: of its contacts' static friction over the force along them (N). */
     double marginAlone(int i, double[] state, double[] force) {
+        int only = modes.only(i);
+        if (only >= 0) {
+            double push = pushAlone(only, i, state, force);
+            Vector3 left = Vector3.at(force, Particles.STRIDE * i + 3)
+                    .plus(contacts.getSurfaces().get(only).normal(state, i).times(push));
+            return push > 0 ? push * contacts.getSurfaces().get(only).friction().staticCoefficient()
+                    - Math.sqrt(left.dot(left)) : -1;
+        }
         Block alone = push(i, state, force);
         Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
         double withstood = 0;

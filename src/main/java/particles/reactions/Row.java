@@ -146,9 +146,9 @@ final class Row {
         return movable[0] == i || movable[1] == i;
     }
 
-    /** The velocity of a contact's second particle, or of its only one, relative to the other side, across the normal. */
+    /** The relative velocity of a contact across its normal: of its second particle, or of its only one. */
     Vector3 slip(double[] state) {
-        Vector3 velocity = Vector3.at(state, STRIDE * Math.max(first, second) + 3);
+        Vector3 velocity = Vector3.at(state, STRIDE * first + 3);
         Vector3 normal = Vector3.at(gradient, 0);
         if (second >= 0) {
             velocity = Vector3.at(state, STRIDE * second + 3).minus(Vector3.at(state, STRIDE * first + 3));

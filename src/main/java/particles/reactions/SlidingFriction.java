@@ -136,6 +136,55 @@ final class SlidingFriction {
         Vector3.at(row.pull, 0).minus(friction).put(row.pull, 0);
     }
 
+    /**
+     * Adds the contact force of a particle that touches one surface only and slides there: what {@link Blocks} finds
+     * for it, bit for bit, without a system of equations.
+     *
+     * @param signed whether the surface can only push
+     * @param force  the forces of all effects (N), to which it is added
+     * @return the power of friction (W)
+     */
+    double addAlone(int i, double mass, ContactSurface surface, boolean signed, double[] state, double[] force) {
+        int v = Particles.STRIDE * i + 3;
+        Vector3 normal = surface.normal(state, i);
+        double all = push(normal, i, mass, surface, state, force);
+        double push = signed ? Math.max(0, all) : all;
+        Friction law = surface.friction();
+        axes[0] = normal;
+        surfaces = 1;
+        if (law.law() == Friction.Law.NONE) {
+            Vector3.at(force, v).plus(normal.times(push)).put(force, v);
+            return 0;
+        }
+        boolean isIndirect = law.law() == Friction.Law.COULOMB && (mayStop(i) || startsFromRest(i)
+                || along(state, v).isZero());
+        Vector3 before = Vector3.at(force, v);
+        if (isIndirect) {                               // against the force that moves it
+            before.plus(normal.times(push)).put(force, v);
+        }
+        Vector3 friction = find(law, isIndirect && push > 0 ? push : 1, 1, force, state, v);
+        Vector3 pull = normal.minus(friction);
+        before.plus(pull.times(push)).put(force, v);
+        Vector3 velocity = Vector3.at(state, v);
+        return push * (pull.dot(velocity) - normal.dot(velocity));
+    }
+
+    /**
+     * The force that keeps a particle on a surface (N), negative if it would have to pull.
+     *
+     * @param normal the surface's normal at the particle
+     * @param force  the total of all other forces (N)
+     */
+    static double push(Vector3 normal, int i, double mass, ContactSurface surface, double[] state, double[] force) {
+        int v = Particles.STRIDE * i + 3;
+        double bend = 0;
+        if (!surface.obstacle().isFlat()) {
+            double rate = normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
+            bend = surface.obstacle().curvature(state, v - 3) * (Row.dot(state, v, state, v) - rate * rate) * mass;
+        }
+        return -(normal.x() * force[v] + normal.y() * force[v + 1] + normal.z() * force[v + 2] + bend);
+    }
+
     /** Lets the particle slide only along one more surface, with the normal of a row. */
     private void keepAlong(Row row) {
         Vector3 rest = along(row.gradient, 0);

@@ -35,9 +35,9 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private static final double LITTLE = 1e-6;
 
     /** What a particle may slide too far in the step of its stop, relative to 1 m plus the distance from the origin. */
-    private static final double FAR = 1e-5;
+    private static final double FAR = 1e-4;
 
-    private final Map<Integer, Double> stops = new LinkedHashMap<>();      // particles, and when friction stops them (s)
+    private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
     private final boolean hasSpheres;
     private double[] arrived = {};                      // the state at the end of the step, before clamping
@@ -261,8 +261,9 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         for (int p = 0; p < entered.length; p++) {
             ContactSurface surface = surfaces.get(p);
             // one that began on the surface or below has been put there by rods
-            boolean mayEnter = !surface.obstacle().isFlat() && modes.get(p, i) == Mode.FREE
-                    && surface.distance(before, i) > slack(before, i);
+            double distance = surface.obstacle().isFlat() || modes.get(p, i) != Mode.FREE ? 0
+                    : surface.distance(before, i);
+            boolean mayEnter = distance > slack(before, i) && distance <= longest(before, i, deltaT);
             entered[p] = mayEnter ? firstBelow(surface, before, arrived, deltaT, i, 0) : Double.NaN;
             first = entered[p] < first ? entered[p] : first;
         }
@@ -276,6 +277,12 @@ public final class ClampedImpacts extends Impacts implements EventRule {
                         -surfaces.get(p).distance(state, i) - slack(state, i));
             }
         }
+    }
+
+    /** The most that a particle's path within the step can measure (m): the sum of the three sides of its hull. */
+    private double longest(double[] before, int i, double deltaT) {
+        double sides = deltaT / 3 * (velocity(before, i).norm1() + velocity(arrived, i).norm1());
+        return 2 * sides + Vector3.at(arrived, STRIDE * i).minus(Vector3.at(before, STRIDE * i)).norm1();
     }
 
     /** Puts a particle where its path has been at a fraction u of the step. */

@@ -59,7 +59,8 @@ abstract class Impacts implements Rule {
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 ContactSurface surface = surfaces.get(p);
-                if (isOn(surface, state, i) && Math.abs(surface.normalSpeed(state, i)) <= surface.bounce().restSpeed()) {
+                if (isOn(surface, state, i)
+                        && Math.abs(surface.normalSpeed(state, i)) <= surface.bounce().restSpeed()) {
                     rest(p, i);
                 }
             }
