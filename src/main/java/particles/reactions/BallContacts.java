@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.Row.Kind;
 
 /**

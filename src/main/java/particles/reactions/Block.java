@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import particles.SimulationException;
 import particles.law.Particles;
 import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
@@ -176,12 +177,7 @@ final class Block {
     }
 
     private boolean isMet(int surface, int i) {
-        for (Meeting meeting : meetings) {
-            if (meeting.surface() == surface && meeting.particle() == i) {
-                return true;
-            }
-        }
-        return false;
+        return meetings.stream().anyMatch(meeting -> meeting.surface() == surface && meeting.particle() == i);
     }
 
     private boolean canMove(int i) {
@@ -299,5 +295,19 @@ final class Block {
                 }
             }
         }
+    }
+
+    /** The error that ends a run where no forces or impulses satisfy the conditions. */
+    SimulationException failure(double time, String reason) {
+        int particle = particles[0];
+        List<String> what = new ArrayList<>();
+        if (Arrays.stream(members).anyMatch(r -> all.get(r).kind != Kind.BALLS)) {
+            what.add("rods and wires");
+        }
+        if (Arrays.stream(rows).anyMatch(Row::isContact)) {
+            what.add("contacts");
+        }
+        return new SimulationException(time, particle, "the " + String.join(" and ", what)
+                + " connected to particle '" + system.id(particle) + "' " + reason, null);
     }
 }

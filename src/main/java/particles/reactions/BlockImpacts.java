@@ -206,7 +206,7 @@ public final class BlockImpacts {
         double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
                 .orElse(0);
         if (!solved && approach > CONTRADICTION * fast) {
-            throw blocks.failure(block, contacts.getSystem().getTime(), "let no impulses keep all particles out");
+            throw block.failure(contacts.getSystem().getTime(), "let no impulses keep all particles out");
         }
         block.move(state, 3);
         for (Row row : block.rows) {

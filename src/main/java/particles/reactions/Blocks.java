@@ -38,6 +38,7 @@ final class Blocks {
     private final ContactModes modes;
     private final double feedback;
     private final IntPredicate usuallyHeld;
+    private final LoneContacts lone;
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
     private final List<Block> singles = new ArrayList<>();
     private final List<Block> joined = new ArrayList<>();
@@ -63,10 +64,15 @@ final class Blocks {
         this.modes = contacts.getModes();
         this.feedback = feedback;
         this.usuallyHeld = usuallyHeld;
+        lone = new LoneContacts(contacts, particles);
     }
 
     Rows getRows() {
         return rows;
+    }
+
+    LoneContacts getLone() {
+        return lone;
     }
 
     /** The blocks of coupled particles. */
@@ -138,8 +144,8 @@ final class Blocks {
         prepare(state, time);
         for (int b = 0; b < some.size(); b++) {
             Block block = some.get(b);
-            if (isAlone(block)) {
-                addAlone(block.particles[0], state, force);
+            if (lone.handles(block)) {
+                lone.add(block, state, force);
                 continue;
             }
             solve(block, state, time, force);
@@ -148,31 +154,6 @@ final class Blocks {
                 Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
             }
         }
-    }
-
-    /** Whether a block is one particle that slides on one surface: it needs no system of equations. */
-    private boolean isAlone(Block block) {
-        return !block.isJoined() && modes.only(block.particles[0]) >= 0 && !modes.isSticking(block.particles[0]);
-    }
-
-    private double addAlone(int i, double[] state, double[] force) {
-        return contacts.getSliding().addAlone(i, particles.mass(i), contacts.getSurfaces().get(modes.only(i)),
-                !contacts.isHolding(), state, force);
-    }
-
-    /** The power of friction on particles that touch surfaces and are not coupled (W). */
-    double frictionPower(double[] state, double time, double[] force) {
-        double[] own = force.clone();
-        double sum = 0;
-        List<Block> others = new ArrayList<>();
-        for (Block block : touching()) {
-            if (isAlone(block)) {
-                sum += addAlone(block.particles[0], state, own);
-            } else {
-                others.add(block);
-            }
-        }
-        return sum + power(others, state, time, force, row -> row.frictionPower(state));
     }
 
     /** The sum of a power over the rows of some blocks (W). */
@@ -201,7 +182,7 @@ final class Blocks {
         block.take(state, Block.ALL);
         Optional<String> failure = solve(block, state, force);
         if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held.isEmpty())) {
-            throw failure(block, time, failure.get());
+            throw block.failure(time, failure.get());
         }
     }
 
@@ -249,19 +230,6 @@ final class Blocks {
         }
         left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
         return left > CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
-    }
-
-    SimulationException failure(Block block, double time, String reason) {
-        int particle = block.particles[0];
-        List<String> what = new ArrayList<>();
-        if (Arrays.stream(block.members).anyMatch(r -> rows.get(r).kind != Kind.BALLS)) {
-            what.add("rods and wires");
-        }
-        if (Arrays.stream(block.rows).anyMatch(Row::isContact)) {
-            what.add("contacts");
-        }
-        return new SimulationException(time, particle, "the " + String.join(" and ", what)
-                + " connected to particle '" + particles.id(particle) + "' " + reason, null);
     }
 
     /**

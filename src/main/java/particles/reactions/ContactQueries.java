@@ -72,7 +72,7 @@ public final class ContactQueries {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
             if (failure.isPresent() && block.held.isEmpty()) {
-                throw blocks.failure(block, system.getTime(), failure.get());
+                throw block.failure(system.getTime(), failure.get());
             }
         }
         if (!block.isJoined() || modes.isSticking(particle)) {

@@ -321,7 +321,7 @@ public final class RestingContacts implements Reaction {
     @Override
     public double getPower(double[] state, double time, double[] force) {
         return blocks.power(blocks.joined(), state, time, force, row -> row.frictionPower(state))
-                + blocks.frictionPower(state, time, force);
+                + blocks.getLone().power(blocks, blocks.touching(), state, time, force);
     }
 
     @Override

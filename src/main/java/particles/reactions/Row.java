@@ -2,6 +2,7 @@ package particles.reactions;
 
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.ContactSurface.Bounce;
 
 /**
  * A constraint row C(x) of a rod, of two balls in contact, of a wire or of a contact with a surface. At a state it has

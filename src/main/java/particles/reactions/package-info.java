@@ -44,23 +44,24 @@
  * motion across the line with finite forces, and are refused when a scene is read.
  *
  * <p><b>Impacts.</b> At an impact the normal velocity v<sub>n</sub> becomes -r v<sub>n</sub>; impulses obey the same
- * equations with velocities in place of accelerations. All contacts of surfaces and balls that approach at one moment
- * are answered together: lambda &ge; 0 and J v' &ge; -r J v, with equality where lambda &gt; 0, in their rows, and J v'
- * = 0 in those of rods and wires. With one r this turns back by 1 + r the part of v that leads into the contacts,
- * measured by the masses. Contacts that approach after that are answered in the next round, as each ball of Newton's cradle hits
- * the next one, until none approaches (B. Smith and others, "Reflections on simultaneous impact", ACM Transactions on
- * Graphics 31, 2012). Momentum is kept, and for r = 1 energy; no order of lines matters. Surfaces that were touched
- * before take part with r = 0 and may open. Coulomb's friction acts as an impulse too, in all rows with a normal one:
- * of all impulses along the surfaces, at most mu times the normal ones, those that leave the least energy. The slides
- * keep v<sub>t</sub>; a scene can choose that.
+ * equations with velocities in place of accelerations. All contacts of surfaces and balls that approach at one
+ * moment are answered together: lambda &ge; 0 and J v' &ge; -r J v, with equality where lambda &gt; 0, in their
+ * rows, and J v' = 0 in those of rods and wires. With one r this turns back by 1 + r the part of v that leads into
+ * the contacts, measured by the masses. Contacts that approach after that are answered in the next round, as each
+ * ball of Newton's cradle hits the next one, until none approaches (B. Smith and others, "Reflections on
+ * simultaneous impact", ACM Transactions on Graphics 31, 2012). Momentum is kept, and for r = 1 energy; no order of
+ * lines matters. Surfaces that were touched before take part with r = 0 and may open. Coulomb's friction acts as an
+ * impulse too, in all rows with a normal one: of all impulses along the surfaces, at most mu times the normal ones,
+ * those that leave the least energy. The slides keep v<sub>t</sub>; a scene can choose that.
  *
- * <p><b>From impacts to contacts.</b> A bounce slower than the surface's rest speed, or than what the forces give back
- * within a step, becomes a contact; with r = 1 only one that is a round-off of the motion. Within a step the contacts
- * and their modes (sliding or sticking) are fixed. Rules change them between steps or at located events, by distance
- * and by the forces and velocities at the end of the step as this solver made it. If the release is a located event,
- * the contacts of a block without touching balls hold until then: lambda may become negative within a step, and the
- * contact ends where it does. Otherwise lambda &ge; 0 holds at each evaluation. After a release from a curved surface, the first step of a method of order 1 may end below it by
- * O(deltaT&sup2;) although v<sub>n</sub> points outwards: that is truncation error, not an impact.
+ * <p><b>From impacts to contacts.</b> A bounce slower than the surface's rest speed, or than what the forces give
+ * back within a step, becomes a contact; with r = 1 only one that is a round-off of the motion. Within a step the
+ * contacts and their modes (sliding or sticking) are fixed. Rules change them between steps or at located events, by
+ * distance and by the forces and velocities at the end of the step as this solver made it. If the release is a
+ * located event, the contacts of a block without touching balls hold until then: lambda may become negative within a
+ * step, and the contact ends where it does. Otherwise lambda &ge; 0 holds at each evaluation. After a release from a
+ * curved surface, the first step of a method of order 1 may end below it by O(deltaT&sup2;) although v<sub>n</sub>
+ * points outwards: that is truncation error, not an impact.
  *
  * <p><b>Balls on balls.</b> With the rule {@code collisions}, particles are hard spheres. Two that touch have the row
  * of a rod between their centres, as long as the sum of their radii, with lambda &ge; 0. Balls in lasting contact have

@@ -17,7 +17,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.BallContacts;
-import particles.reactions.Bounce;
+import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.RigidConstraints;
 
 /**
@@ -223,9 +223,7 @@ public final class Collisions implements EventRule {
         impacts.contacts.beginStep();                   // those that stick have stopped others
     }
 
-    /**
-     * Ends contacts that push no more than some force (N), which is 0 but for round-off.
-     */
+    /** Ends contacts that push no more than some force (N), which is 0 but for round-off. */
     private void release(double most) {
         impacts.contacts.beginStep();                   // the direction of friction, on which the forces depend
         parted.addAll(touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(), most));

@@ -17,7 +17,7 @@ import particles.law.AnchorMotion.SineMotion;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
-import particles.reactions.Bounce;
+import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
 import particles.rules.Collisions;
