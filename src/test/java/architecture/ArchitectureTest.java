@@ -91,7 +91,7 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
-                                           particles.scene.format
+                                           particles.scene.format particles.view
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.implicit deSolvers.linear
                                            deSolvers.problems deSolvers.text particles particles.experiments.runs
                                            particles.law particles.scene particles.scene.format particles.view org.ejml
@@ -116,8 +116,9 @@ class ArchitectureTest {
             particles.output.painters:     particles particles.law particles.output.raster particles.view
                                            com.carrotsearch.hppc
             particles.output.raster:       deSolvers.text particles.law particles.view java.awt
-            particles.output.report:       deSolvers.text particles.output.charts particles.output.files
-                                           particles.view java.awt javax.imageio com.samskivert
+            particles.output.report:       deSolvers.catalog deSolvers.text particles.output.charts
+                                           particles.output.files particles.view java.awt javax.imageio
+                                           com.samskivert
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
                                            particles.law particles.reactions particles.view
@@ -147,7 +148,7 @@ class ArchitectureTest {
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching
-            particles.view:                particles.law
+            particles.view:                deSolvers.catalog deSolvers.text particles.law
             """);
 
     private static Map<String, Set<String>> table(String rows) {

@@ -1,6 +1,7 @@
 package hunts;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -150,7 +151,7 @@ final class Judge {
         boolean compared = far > ROUND_OFF && far < CLOSED;
         // the three steps after an impact are RK4's, with smaller errors: in so short a run their share counts
         boolean ordered = compared && near > 0 && !solver.adaptive()
-                && !(struck && solver.family().equals("multistep"));
+                && !(struck && solver.family() == Family.MULTISTEP);
         find = exact.depth() > ROUND_OFF ? "the reference is below a surface by " + exact.depth() : ofLaws(exact);
         boolean gains = whole.gain() > whole.ledger() + (clamped ? WRONG : far + ROUND_OFF)
                 && half.gain() > whole.gain() / 2;      // a late impact lifts by an error that shrinks with deltaT
@@ -187,7 +188,7 @@ final class Judge {
      * springs and 5.5e-8 with rods, whose derivatives are differences.
      */
     private static double momentum(String solver) {
-        return solver.equals("linearised-euler") ? 2e-7 : SolverCatalog.info(solver).family().equals("implicit") ? 1e-9
+        return solver.equals("linearised-euler") ? 2e-7 : SolverCatalog.info(solver).implicit() ? 1e-9
                 : 1e-14;
     }
 }

@@ -52,7 +52,7 @@ class AllocationTest {
         cloth.addEffect(new Penalty(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
         cloth.addEffect(new Penalty(particles, new Sphere(Vector3.ZERO, 0.2, false), 10, 0.1));
         // whose matrix changes its pattern with the neighbours
-        if (!SolverCatalog.info(solver).family().equals("implicit")) {
+        if (!SolverCatalog.info(solver).implicit()) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
         }
         assertNothing(SolverCatalog.create(solver), cloth, 1.0 / 1024);

@@ -6,6 +6,9 @@ import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
 import deSolvers.adaptive.DormandPrinceSolver;
 import deSolvers.adaptive.StepDoublingSolver;
+import deSolvers.catalog.SolverInfo.ChartLook;
+import deSolvers.catalog.SolverInfo.Family;
+import deSolvers.catalog.SolverInfo.Limits;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
@@ -28,52 +31,56 @@ import java.util.function.Supplier;
 
 /** The list of all solvers. {@code create("rk4")} creates one; a fully-qualified class name creates a student's own. */
 public final class SolverCatalog {
-    /** Name, order, family, evaluations per step, limits for undamped and for critically damped springs, sentence. */
     private static final Map<String, Entry> ENTRIES = byName(
-            new Entry("euler | 1 | slides | 1 | 0 | 2 | One straight step; every undamped spring gains energy.",
-                    EulerSolver::new),
-            new Entry("midpoint | 2 | slides | 2 | 0 | 2 "
-                    + "| Uses the derivative half way; undamped springs gain energy slowly.", MidpointSolver::new),
-            new Entry("rk4 | 4 | slides | 4 | 2.8284 | 2.7853 "
-                    + "| The old workhorse: accurate and stable enough for most scenes.", RK4Solver::new),
-            new Entry("step-doubling | 4 | adaptive | 11 per sub-step | 5.6569 | 5.5706 "
-                    + "| Compares two RK4 steps with one of twice the length.",
+            fixed("euler", 1, Family.SLIDES, "1", new Limits(0, 2), new ChartLook(0xd55e00, 0),
+                    "One straight step; every undamped spring gains energy.", EulerSolver::new),
+            fixed("midpoint", 2, Family.SLIDES, "2", new Limits(0, 2), new ChartLook(0xe69f00, 1),
+                    "Uses the derivative half way; undamped springs gain energy slowly.", MidpointSolver::new),
+            fixed("rk4", 4, Family.SLIDES, "4", new Limits(2.8284, 2.7853), new ChartLook(0x6b2500, 4),
+                    "The old workhorse: accurate and stable enough for most scenes.", RK4Solver::new),
+            adaptive("step-doubling", 4, Family.ADAPTIVE, "11 per sub-step", new Limits(5.6569, 5.5706),
+                    new ChartLook(0x56b4e9, 1), "Compares two RK4 steps with one of twice the length.",
                     StepDoublingSolver::new, StepDoublingSolver::new),
-            new Entry("dormand-prince | 5 | adaptive | 6 per sub-step | 0.9972 | 3.3066 "
-                    + "| First choice for smooth motion to a stated accuracy.",
+            adaptive("dormand-prince", 5, Family.ADAPTIVE, "6 per sub-step", new Limits(0.9972, 3.3066),
+                    new ChartLook(0x0072b2, 0), "First choice for smooth motion to a stated accuracy.",
                     DormandPrinceSolver::new, DormandPrinceSolver::new),
-            new Entry("bulirsch-stoer | 18 | extrapolation | 9 to 163 per sub-step | none | none "
-                    + "| Extrapolates midpoint steps: smooth motion, high accuracy.",
+            adaptive("bulirsch-stoer", 18, Family.EXTRAPOLATION, "9 to 163 per sub-step", Limits.UNSTATED,
+                    new ChartLook(0x0b2f5c, 2), "Extrapolates midpoint steps: smooth motion, high accuracy.",
                     BulirschStoerSolver::new, BulirschStoerSolver::new),
-            new Entry("adams | 4 | multistep | 2 | 0 | 1.2848 "
-                    + "| Reuses earlier derivatives: order 4 for two evaluations.", AdamsBashforthMoultonSolver::new),
-            new Entry("symplectic-euler | 1 | symplectic | 1 | 2 | 0.8284 "
-                    + "| The slides' simple algorithm; no energy drift in small steps.", SymplecticEulerSolver::new),
-            new Entry("verlet | 2 | symplectic | 1, more with damping | 2 | 0.74 "
-                    + "| First choice for undamped motion; no energy drift in small steps.",
-                    VelocityVerletSolver::new),
-            new Entry("yoshida4 | 4 | symplectic | 3, more with damping | 1.5734 | 0.438 "
-                    + "| Three verlet steps in one, with order 4.", Yoshida4Solver::new),
-            new Entry("backward-euler | 1 | implicit | 2 to 8, tens with rods | unlimited | unlimited "
-                    + "| Damps vibrations that a step cannot resolve.", BackwardEulerSolver::new),
-            new Entry("linearised-euler | 1 | implicit | 1 | unlimited | unlimited "
-                    + "| Backward Euler with one linear system per step; for cloth.", LinearisedEulerSolver::new),
-            new Entry("implicit-midpoint | 2 | implicit | 2 to 8, tens with rods | unlimited | unlimited "
-                    + "| Keeps the energy of linear springs.", ImplicitMidpointSolver::new),
-            new Entry("radau | 5 | implicit | about 10 per sub-step | unlimited | unlimited "
-                    + "| First choice for stiff systems to a stated accuracy.", RadauIIASolver::new,
+            fixed("adams", 4, Family.MULTISTEP, "2", new Limits(0, 1.2848), new ChartLook(0x000000, 3),
+                    "Reuses earlier derivatives: order 4 for two evaluations.", AdamsBashforthMoultonSolver::new),
+            fixed("symplectic-euler", 1, Family.SYMPLECTIC, "1", new Limits(2, 0.8284), new ChartLook(0x5fcfa4, 1),
+                    "The slides' simple algorithm; no energy drift in small steps.", SymplecticEulerSolver::new),
+            fixed("verlet", 2, Family.SYMPLECTIC, "1, more with damping", new Limits(2, 0.74),
+                    new ChartLook(0x009e73, 0),
+                    "First choice for undamped motion; no energy drift in small steps.", VelocityVerletSolver::new),
+            fixed("yoshida4", 4, Family.SYMPLECTIC, "3, more with damping", new Limits(1.5734, 0.438),
+                    new ChartLook(0x00513b, 2), "Three verlet steps in one, with order 4.", Yoshida4Solver::new),
+            fixed("backward-euler", 1, Family.IMPLICIT, "2 to 8, tens with rods", Limits.NONE,
+                    new ChartLook(0xcc79a7, 1), "Damps vibrations that a step cannot resolve.",
+                    BackwardEulerSolver::new),
+            fixed("linearised-euler", 1, Family.IMPLICIT, "1", Limits.NONE, new ChartLook(0xe0a8ca, 2),
+                    "Backward Euler with one linear system per step; for cloth.", LinearisedEulerSolver::new),
+            fixed("implicit-midpoint", 2, Family.IMPLICIT, "2 to 8, tens with rods", Limits.NONE,
+                    new ChartLook(0x9b3f86, 0), "Keeps the energy of linear springs.", ImplicitMidpointSolver::new),
+            adaptive("radau", 5, Family.IMPLICIT, "about 10 per sub-step", Limits.NONE, new ChartLook(0x4b1250, 3),
+                    "First choice for stiff systems to a stated accuracy.", RadauIIASolver::new,
                     RadauIIASolver::new));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
-        /** A solver that steps by deltaT. */
-        Entry(String row, Supplier<DESolver> maker) {
-            this(SolverInfo.of(row, false), maker, (relative, absolute) -> throwNotAdaptive(row.split(" ")[0]));
-        }
+    }
 
-        /** An adaptive solver. */
-        Entry(String row, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
-            this(SolverInfo.of(row, true), maker, toleranceMaker);
-        }
+    /** A solver that steps by deltaT. */
+    private static Entry fixed(String name, int order, Family family, String evaluations, Limits limits,
+            ChartLook look, String sentence, Supplier<DESolver> maker) {
+        return new Entry(new SolverInfo(name, order, family, evaluations, false, limits, look, sentence), maker,
+                (relative, absolute) -> throwNotAdaptive(name));
+    }
+
+    private static Entry adaptive(String name, int order, Family family, String evaluations, Limits limits,
+            ChartLook look, String sentence, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
+        return new Entry(new SolverInfo(name, order, family, evaluations, true, limits, look, sentence), maker,
+                toleranceMaker);
     }
 
     /** Makes an adaptive solver. */

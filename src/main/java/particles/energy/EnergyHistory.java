@@ -2,7 +2,9 @@ package particles.energy;
 
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
 import particles.ParticleSystem;
@@ -11,8 +13,10 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
 
 /**
  * Records the energies of a run over time: kinetic energy, the potential energy of each effect, and their sum. It
@@ -33,8 +37,9 @@ public final class EnergyHistory extends StridedRecorder {
 
     private final MinMaxThinning kinetic = new MinMaxThinning(BUCKETS);
     private final MinMaxThinning total = new MinMaxThinning(BUCKETS);
-    private final MinMaxThinning potential = new MinMaxThinning(BUCKETS);
     private final List<Part> parts = new ArrayList<>();
+    /** What all effects of a name store together. */
+    private final Map<String, MinMaxThinning> kinds = new LinkedHashMap<>();
     private double internal;                            // kinetic plus stored energy, latest
     private double largestInternal = Double.NEGATIVE_INFINITY;
     private double lowestInternal;                      // the sum of the lowest energies of bonds
@@ -43,7 +48,7 @@ public final class EnergyHistory extends StridedRecorder {
     /** What one effect stores. */
     private static final class Part {
         private final Effect effect;
-        private final MinMaxThinning stored = new MinMaxThinning(BUCKETS);
+        private double smallest = Double.POSITIVE_INFINITY;
         private double lowest;                          // of its bonds, 0 or less
 
         Part(Effect effect) {
@@ -55,7 +60,7 @@ public final class EnergyHistory extends StridedRecorder {
          * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
          */
         double zero() {
-            return Trait.isUniform(effect) ? stored.smallest() : 0;
+            return Trait.isUniform(effect) ? smallest : 0;
         }
     }
 
@@ -108,6 +113,7 @@ public final class EnergyHistory extends StridedRecorder {
         double sum = 0;
         internal = motion;
         lowestInternal = 0;
+        Map<String, Double> stored = new LinkedHashMap<>();
         for (Part part : parts) {
             double energy = part.effect.getPotentialEnergy(state, time);
             sum += energy;
@@ -116,10 +122,12 @@ public final class EnergyHistory extends StridedRecorder {
                 part.lowest = Math.min(part.lowest, energy);
                 lowestInternal += part.lowest;
             }
-            part.stored.add(time, energy);
+            part.smallest = Math.min(part.smallest, energy);
+            stored.merge(part.effect.getName(), energy, Double::sum);
         }
+        stored.forEach((name, energy) ->
+                kinds.computeIfAbsent(name, unknown -> new MinMaxThinning(BUCKETS)).add(time, energy));
         kinetic.add(time, motion);
-        potential.add(time, sum);
         total.add(time, motion + sum);
         largestInternal = Math.max(largestInternal, internal);
     }
@@ -186,32 +194,31 @@ public final class EnergyHistory extends StridedRecorder {
     }
 
     /**
-     * The energies. The total is the first series. Gravity's potential has its zero at the lowest value of the run,
-     * and the axis says so.
+     * The energies. The total is the first series. Gravity's potential has its zero at the lowest value of the run, and
+     * the axis says so. An energy that goes up and down so often that its line would fill an area is drawn as its mean.
      *
-     * @param title the title of the chart, such as the scene and its solver
      * @return the chart
      * @throws IllegalStateException before the run
      */
-    public ChartData chart(String title) {
+    public Chart chart() {
         if (total.isEmpty()) {
             throw new IllegalStateException("no run was observed");
         }
-        List<Series> series = new ArrayList<>();
-        double zero = zero();
         boolean log = hasGrown();
-        List<Part> acting = parts.stream().filter(part -> part.stored.largestSize() != 0).toList();
-        series.add(total.line("total", from(zero, log)));
-        series.add(kinetic.line("kinetic", from(0, log)));
-        if (acting.size() > 1) {
-            series.add(potential.line("potential", from(zero, log)));
-        }
-        acting.forEach(part -> series.add(part.stored.line("potential: " + part.effect.getName(),
-                from(part.zero(), log))));
-        String shifted = acting.stream().filter(part -> part.zero() != 0).map(part -> part.effect.getName())
+        Map<String, Double> zeros = parts.stream().collect(Collectors.groupingBy(part -> part.effect.getName(),
+                LinkedHashMap::new, Collectors.summingDouble(Part::zero)));
+        String shifted = zeros.keySet().stream().filter(name -> zeros.get(name) != 0)
                 .collect(Collectors.joining(" and "));
-        String axis = "energy (J)" + (shifted.isEmpty() ? "" : "; " + shifted + " is 0 at its lowest");
-        return new ChartData(title, "time (s)", axis, false, log, List.copyOf(series));
+        Axis axis = new Axis("energy" + (shifted.isEmpty() ? "" : ", " + shifted + " from its lowest"), "J", log);
+        List<Series> series = new ArrayList<>();
+        series.add(total.line(Look.number(0), "total", from(zero(), log), axis));
+        series.add(kinetic.lineOrMean(Look.number(1), "kinetic", from(0, log), axis));
+        kinds.forEach((name, stored) -> {
+            if (stored.largestSize() != 0) {
+                series.add(stored.lineOrMean(Look.number(series.size()), name, from(zeros.get(name), log), axis));
+            }
+        });
+        return new Chart(Axis.TIME, axis, List.copyOf(series));
     }
 
     /** @return whether the energy grew by more than a factor of a thousand since the run's first tenth */

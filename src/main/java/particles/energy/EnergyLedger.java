@@ -3,9 +3,11 @@ package particles.energy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.Motion;
@@ -44,6 +46,8 @@ public class EnergyLedger extends StridedRecorder {
      */
     private static final double LITTLE = 0.01;
 
+    private static final String ANCHORS = "moving anchors";
+
     /** One kind of work: its power and the sum so far. */
     private static final class Account {
         private final String name;
@@ -68,6 +72,7 @@ public class EnergyLedger extends StridedRecorder {
 
     private final List<Account> accounts = new ArrayList<>();
     private final Map<String, Double> jumps = new LinkedHashMap<>();
+    private final Set<String> driving = new HashSet<>();
     private double[] middle = {};                       // the state in the middle of a step
     private double startEnergy;
     private double energy;
@@ -92,6 +97,7 @@ public class EnergyLedger extends StridedRecorder {
                         (state, time) -> -effect.getDissipatedPower(state, time));
             }
             if (effect.getTraits().contains(Trait.DRIVING)) {
+                driving.add(effect.getName() + " (driven)");
                 open(effect.getName() + " (driven)", false, effect::getDrivenPower);
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
@@ -111,8 +117,9 @@ public class EnergyLedger extends StridedRecorder {
             });
         }
         if (system.getMovingAnchors().length > 0) {
+            driving.add(ANCHORS);
             // minus the internal forces on each anchor, times its velocity
-            open("moving anchors", false, (state, time) -> -power(system.getEffects().stream()
+            open(ANCHORS, false, (state, time) -> -power(system.getEffects().stream()
                     .filter(effect -> effect.getTraits().contains(Trait.INTERNAL)),
                     Arrays.stream(system.getMovingAnchors()), state, time));
         }
@@ -221,6 +228,11 @@ public class EnergyLedger extends StridedRecorder {
         }
         jumps.forEach((name, joules) -> work.merge(name, joules, (before, more) -> before + more));
         return work;
+    }
+
+    /** @return whether this kind of work drives the system */
+    boolean isDriving(String work) {
+        return driving.contains(work);
     }
 
     /**

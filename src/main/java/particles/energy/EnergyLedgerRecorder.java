@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import particles.ParticleSystem;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
 
 /**
  * Records a run's energy ledger over time: the energy that each kind of work put in or took out, and the rest, which is
@@ -66,28 +68,19 @@ public final class EnergyLedgerRecorder extends EnergyLedger {
      * @param log   whether sizes are drawn on logarithmic axes, as in a run that blows up
      * @return the work of each kind, if it is more than round-off, and below it the numerical error, at the same times
      */
-    public List<ChartData> charts(double scale, boolean log) {
-        List<ChartData> charts = new ArrayList<>();
-        List<Series> lines = new ArrayList<>();
-        work.forEach((name, joules) -> {
-            if (joules.largestSize() > ROUNDING * scale) {
-                lines.add(joules.line("work: " + name, shown(1, log)));
-            }
-        });
+    public List<Chart> charts(double scale, boolean log) {
+        List<Chart> charts = new ArrayList<>();
+        Axis joules = new Axis(log ? "|work|" : "work", "J", log);
+        List<Series> lines = work.entrySet().stream().filter(kind -> kind.getValue().largestSize() > ROUNDING * scale)
+                .map(kind -> kind.getValue().line(isDriving(kind.getKey()) ? Look.DRIVEN : Look.WORK, kind.getKey(),
+                        shown(1, log), joules)).toList();
         if (!lines.isEmpty()) {
-            charts.add(new ChartData("work of physics: put in (+), taken out (\u2212)", "time (s)",
-                    size(lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") : "work", log) + " (J)",
-                    false, log,
-                    lines));                            // short enough for a low panel; the sign says the rest
+            charts.add(new Chart(Axis.TIME, joules, lines).named("work"));
         }
-        charts.add(new ChartData("numerical error: change of energy minus the work of physics", "time (s)",
-                size("numerical error", log) + " / scale", false, log,
-                List.of(error.line("numerical error", shown(scale, log)))));
+        Axis part = new Axis(log ? "|error| / scale" : "error / scale", "", log);
+        charts.add(new Chart(Axis.TIME, part, List.of(error.line(Look.ERROR, "numerical error", shown(scale, log),
+                part))).named("numerical-error"));
         return charts;
-    }
-
-    private static String size(String name, boolean log) {
-        return log ? "|" + name + "|" : name;
     }
 
     private static DoubleUnaryOperator shown(double scale, boolean log) {

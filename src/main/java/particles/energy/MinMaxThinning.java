@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Thins a quantity over time to a few thousand points without losing an extreme. Neighbouring samples share a bucket,
@@ -19,12 +21,15 @@ public final class MinMaxThinning {
     private record Sample(long index, double time, double value) {
     }
 
-    private record Bucket(Sample low, Sample high) {
+    private record Bucket(Sample low, Sample high, double sum, long count) {
         Bucket and(Bucket later) {
             return new Bucket(later.low.value < low.value ? later.low : low,
-                    later.high.value > high.value ? later.high : high);
+                    later.high.value > high.value ? later.high : high, sum + later.sum, count + later.count);
         }
     }
+
+    /** The number of means: a line of so many points is not dense. */
+    private static final int MEANS = 32;
 
     private final int capacity;
     private final List<Bucket> buckets = new ArrayList<>();
@@ -41,7 +46,7 @@ public final class MinMaxThinning {
     public void add(double time, double value) {
         last = new Sample(last.index + 1, time, value);
         first = last.index == 0 ? last : first;
-        Bucket own = new Bucket(last, last);
+        Bucket own = new Bucket(last, last, value, 1);
         int b = (int) (last.index / perBucket);
         if (b == capacity) {
             merge();
@@ -103,9 +108,30 @@ public final class MinMaxThinning {
             kept.values().stream().mapToDouble(Sample::value).toArray()};
     }
 
-    /** @return a line through the points kept, with each value shown in its own way */
-    Series line(String name, DoubleUnaryOperator shown) {
+    /** @return a line through the points kept, with each value shown in its own way, and the last one at its end */
+    Series line(Look look, String name, DoubleUnaryOperator shown, Axis axis) {
         double[][] points = points();
-        return new Series(name, Mark.LINE, points[0], Arrays.stream(points[1]).map(shown).toArray());
+        return new Series(look, name, Mark.LINE, points[0], Arrays.stream(points[1]).map(shown).toArray())
+                .ending(axis);
+    }
+
+    /** @return the line, or the line of means where it would fill an area */
+    Series lineOrMean(Look look, String name, DoubleUnaryOperator shown, Axis axis) {
+        double[][] means = means();
+        return Series.isDense(points()[1]) ? new Series(look, "mean " + name, Mark.LINE, means[0],
+                Arrays.stream(means[1]).map(shown).toArray()).ending(axis) : line(look, name, shown, axis);
+    }
+
+    /** @return the times of the middle of some equal parts of all samples, and the means of the values in them */
+    private double[][] means() {
+        int width = Math.max(1, buckets.size() / MEANS);
+        int count = buckets.size() / width;
+        double[][] means = new double[2][count];
+        for (int k = 0; k < count; k++) {
+            List<Bucket> some = buckets.subList(k * width, (k + 1) * width);
+            means[0][k] = (some.get(0).low.time + some.get(width - 1).high.time) / 2;
+            means[1][k] = some.stream().mapToDouble(Bucket::sum).sum() / some.stream().mapToLong(Bucket::count).sum();
+        }
+        return means;
     }
 }

@@ -59,8 +59,8 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static double bytesOfSolver(String name, double particles) {
         double growth = StrictMath.log(Math.max(1, particles / FEW));
         return SolverCatalog.find(name).map(info -> switch (info.family()) {
-            case "implicit" -> info.adaptive() ? 6000 + 1200 * growth : 1400 + 400 * growth;
-            case "extrapolation" -> 600.0;
+            case IMPLICIT -> info.adaptive() ? 6000 + 1200 * growth : 1400 + 400 * growth;
+            case EXTRAPOLATION -> 600.0;
             default -> 0.0;
         }).orElse(0.0);
     }

@@ -9,12 +9,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.afterStep;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.Simulation;
 import particles.scene.ShortRun;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
 
 /** The energy curves of motions whose energies are known. */
 class EnergyHistoryTest {
@@ -56,18 +59,18 @@ class EnergyHistoryTest {
         return energy;
     }
 
-    private static Series series(ChartData chart, String name) {
+    private static Series series(Chart chart, String name) {
         return chart.series().stream().filter(s -> s.name().equals(name)).findFirst().orElseThrow();
     }
 
     @Test
     void aSpringsEnergiesAreSquaresOfSineAndCosine() {
         EnergyHistory energy = observe(spring("rk4", 0.01, 10), 1);
-        ChartData chart = energy.chart("spring");
-        assertEquals(List.of("total", "kinetic", "potential: springs"),
+        Chart chart = energy.chart();
+        assertEquals(List.of("total", "kinetic", "springs"),
                 chart.series().stream().map(Series::name).toList());
         Series kinetic = series(chart, "kinetic");
-        Series potential = series(chart, "potential: springs");
+        Series potential = series(chart, "springs");
         assertEquals(1001, kinetic.x().length);
         double largest = 0;
         for (int k = 0; k < kinetic.x().length; k++) {
@@ -82,7 +85,7 @@ class EnergyHistoryTest {
 
     @Test
     void aBounceIsAVerticalLine() {
-        Series kinetic = series(observe(falling(10), 1).chart(""), "kinetic");
+        Series kinetic = series(observe(falling(10), 1).chart(), "kinetic");
         assertArrayEquals(new double[] {0, 0.125, 0.25, 0.375, 0.5, 0.5, 0.625, 0.75, 0.875, 1}, kinetic.x());
         double before = 0.5 * 2 * (G * 0.5) * (G * 0.5);
         assertEquals(before, kinetic.y()[4], 1e-13);             // measured 1.1e-14
@@ -94,14 +97,14 @@ class EnergyHistoryTest {
     void theZeroOfHeightsChangesNoCurve() {
         EnergyHistory here = observe(falling(2), 1);
         EnergyHistory there = observe(falling(-30), 1);
-        List<Series> a = here.chart("").series();
-        List<Series> b = there.chart("").series();
+        List<Series> a = here.chart().series();
+        List<Series> b = there.chart().series();
         for (int s = 0; s < a.size(); s++) {
             // measured 1.2e-13, of 600 J: their rounding
             assertArrayEquals(a.get(s).y(), b.get(s).y(), 1e-12, a.get(s).name());
         }
-        assertEquals("energy (J); gravity is 0 at its lowest", here.chart("").yLabel());
-        Series gravity = series(here.chart(""), "potential: gravity");
+        assertEquals("energy, gravity from its lowest (J)", here.chart().y().label());
+        Series gravity = series(here.chart(), "gravity");
         assertEquals(0, java.util.Arrays.stream(gravity.y()).min().orElse(1));
         assertEquals(here.getScale(), there.getScale());
         assertEquals(here.getStart(), there.getStart(), 1e-12, "nor the energies that a console or a file gives");
@@ -117,7 +120,7 @@ class EnergyHistoryTest {
                 effects: [attraction: {strength: 1}]
                 """), 1);
         assertEquals(-0.5, energy.getStart(), 1e-15);
-        Series total = series(energy.chart(""), "total");
+        Series total = series(energy.chart(), "total");
         assertEquals(-0.5, total.y()[total.y().length - 1], 1e-8);
         assertEquals(total.y()[total.y().length - 1], energy.getEnd());
     }
@@ -134,10 +137,10 @@ class EnergyHistoryTest {
 
     @Test
     void everySoManySteps() {
-        Series total = observe(spring("rk4", 0.125, 1.25), 4).chart("").series().get(0);
+        Series total = observe(spring("rk4", 0.125, 1.25), 4).chart().series().get(0);
         assertArrayEquals(new double[] {0, 0.5, 1, 1.25}, total.x());
         assertThrows(IllegalArgumentException.class, () -> new EnergyHistory(0));
-        assertThrows(IllegalStateException.class, () -> new EnergyHistory().chart(""));
+        assertThrows(IllegalStateException.class, () -> new EnergyHistory().chart());
     }
 
     private static EnergyLedgerRecorder keepBooks(Simulation simulation) {
@@ -159,7 +162,7 @@ class EnergyHistoryTest {
         assertEquals(0.5 * (growth - 1), energy.getLargestDrift(), 1e-15);
         assertEquals(0.5 * (growth - 1), books.getNumericalError(), 1e-15);             // measured 0, as the others
         assertEquals(0.5 * (growth - 1), books.getLargestNumericalError(), 1e-15);
-        List<ChartData> charts = books.charts(0.5, false);
+        List<Chart> charts = books.charts(0.5, false);
         assertEquals(1, charts.size());
         assertEquals(growth - 1, charts.get(0).series().get(0).y()[8], 1e-15);
         assertEquals(0, charts.get(0).series().get(0).y()[0]);
@@ -186,25 +189,51 @@ class EnergyHistoryTest {
     /** Euler with omega deltaT = 1 doubles the energy at every step: 1024 times at the tenth. */
     @Test
     void onlyGrowthByMoreThanAThousandMakesTheAxisLogarithmic() {
-        assertFalse(observe(spring("euler", 1, 9), 1).chart("512 times").yLog());
+        assertFalse(observe(spring("euler", 1, 9), 1).chart().y().log());
         EnergyHistory grown = observe(spring("euler", 1, 30), 1);     // less than 1e9: the spring turns over
-        assertTrue(grown.chart("a million times and more").yLog());
-        double[] total = grown.chart("the values stay those of the run").series().get(0).y();
+        assertTrue(grown.chart().y().log());
+        double[] total = grown.chart().series().get(0).y();
         assertEquals(grown.getStart(), total[0]);
         assertEquals(grown.getEnd(), total[total.length - 1]);
-        assertFalse(observe(spring("rk4", 0.1, 30), 1).chart("bounded").yLog());
+        assertFalse(observe(spring("rk4", 0.1, 30), 1).chart().y().log());
         // a falling ball's kinetic energy begins at 0 and grows as t^2; that is no blow-up
         assertFalse(observe(simulation("rk4", 1e-4, 1, "particles: [{id: ball, position: [0, 0, 0]}]"), 1)
-                .chart("falling").yLog());
+                .chart().y().log());
     }
 
     @Test
     void sizesOfWorkAndErrorAreDrawnOnALogarithmicAxis() {
         EnergyLedgerRecorder books = keepBooks(spring("euler", 1, 20));
-        ChartData error = books.charts(0.5, true).get(0);
-        assertTrue(error.yLog());
-        assertEquals("|numerical error| / scale", error.yLabel());
+        Chart error = books.charts(0.5, true).get(0);
+        assertTrue(error.y().log());
+        assertEquals("|error| / scale", error.y().label());
         double[] sizes = error.series().get(0).y();
         assertEquals(books.getLargestNumericalError() / 0.5, sizes[sizes.length - 1]);
+    }
+
+    /** 1.2 periods of 0.2 s in each of 62 parts: the means of sin^2 and cos^2 over a part are 1/2, 1/4 J each. */
+    @Test
+    void energiesThatWouldFillAnAreaAreDrawnAsMeans() {
+        Chart dense = observe(simulation("rk4", 0.002, 15, """
+                particles: [{id: anchor, position: [0, 0, 0], fixed: true}, {id: bob, position: [4, 0, 0]}]
+                springs: [{from: anchor, to: bob, stiffness: 986.96, restLength: 3}]
+                effects: []
+                """), 1).chart();
+        assertEquals(List.of("total", "mean kinetic", "mean springs"),
+                dense.series().stream().map(Series::name).toList());
+        double[] means = dense.series().get(1).y();
+        for (double mean : means) {
+            assertEquals(246.74, mean, 30, "half of 493.48 J");        // measured within 26: no whole number of periods
+        }
+        assertEquals(246.74, java.util.Arrays.stream(means).average().orElseThrow(), 1);    // measured 0.2
+    }
+
+    @Test
+    void workThatDrivesHasALookOfItsOwn() {
+        EnergyLedgerRecorder books = keepBooks(new ShortRun("rk4 clamp 0.01 1",
+                "particles: [{id: ball, position: [0, 0, 0]}]\n"
+                + "effects: [drag: {coefficient: 1}, wind: {mean: [1, 0, 0]}]").getSimulation());
+        assertEquals(Map.of("drag (driven)", Look.DRIVEN, "drag (dissipated)", Look.WORK),
+                books.charts(1, false).get(0).series().stream().collect(Collectors.toMap(Series::name, Series::look)));
     }
 }

@@ -63,7 +63,7 @@ class EnergyScaleTest {
     @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void anOrbitsScaleIsItsKineticEnergy(String solver) {
         run(solver, 0.002, 2, PAIR.formatted("0", "0.08", "0.7"));
-        double most = Arrays.stream(energy.chart("").series().get(1).y()).max().orElseThrow();     // kinetic
+        double most = Arrays.stream(energy.chart().series().get(1).y()).max().orElseThrow();     // kinetic
         assertTrue(energy.getScale() >= most * (1 - 1e-12) && energy.getScale() < 1.3 * most,
                 energy.getScale() + " J for " + most + " J");
     }

@@ -5,11 +5,10 @@ import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.EffectCost;
 import particles.experiments.work.EffectCost.Cost;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.view.ChartData;
+import particles.view.Panel;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -39,8 +38,8 @@ public final class EffectCostCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Cost> costs = EffectCost.measure(columns, STEPS, rounds,
                 () -> Math.round(1e9 * CpuClock.seconds()), progress);
-        ChartData chart = EffectCost.chart(costs);
-        return new ResultPage(name(), chart.title(),
+        Panel panel = EffectCost.panel(costs);
+        return new ResultPage(name(), panel.title(),
                 List.of("A cloth of " + columns + " x " + columns
                         + """
                          particles, rk4, with one thing more at a time. 'springs' is the particle system with \
@@ -52,7 +51,7 @@ public final class EffectCostCommand extends ExperimentCommand {
                         "Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps, in CPU time; all variants take turns."),
                 List.of(Picture.of("effect-cost",
-                        "Time of a step, relative to springs alone, on a logarithmic axis.", Panel.chart(chart))),
+                        "Time of a step, relative to springs alone, on a logarithmic axis.", panel)),
                 List.of(EffectCost.table(costs)));
     }
 }

@@ -1,15 +1,14 @@
 package particles.app.experiments;
 
 import java.util.List;
-import java.util.function.IntFunction;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
-import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
+import particles.view.Panel;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,6 +16,8 @@ import picocli.CommandLine.Option;
 /** {@code gradle energyDrift}: compares the energy drift of solvers on a scene. */
 @Command(name = "energyDrift", description = "Compares how well solvers keep the energy of a scene.")
 public final class EnergyDriftCommand extends ExperimentCommand {
+    private static final List<String> SHOWN = List.of("euler", "midpoint", "rk4", "verlet", "implicit-midpoint");
+
     @Mixin
     private final SceneOptions options = new SceneOptions();
 
@@ -35,11 +36,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
-        IntFunction<Picture> picture = charts -> Picture.bySolver("energy-drift", "The energy error over time"
-                + (charts == 1 ? "" : "; on the linear axis, while it is less than 0.1")
-                + ". A cross marks a run that ended early.", comparison.drifts(), Drift::label, some ->
-                DriftCharts.charts(comparison.of(some)).subList(0, charts));
-        return new ResultPage(name(), DriftCharts.finding(comparison), List.of(
+        String title = DriftCharts.title(comparison);
+        return new ResultPage(name(), title, List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
                         contacts and collisions: it is the solver's error. It is divided by the largest kinetic plus \
@@ -51,8 +49,12 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                         energy back and forth; most others add or remove a little in each step.""",
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
-                List.of(comparison.drifts().size() <= format().mostCurves() ? picture.apply(2)
-                        : picture.apply(2).onSlides(List.of(picture.apply(1)))),
+                List.of(Picture.of("energy-drift", """
+                        The size of the energy error over time. At the curves: an error that drifts, at the end; the \
+                        largest size of any other. A cross marks a run that ended early.""",
+                        Panel.of(title, List.of(DriftCharts.sizes(comparison)))).first(SHOWN),
+                        Picture.of("energy-drift-energy-error", "The energy error over time, while it is less than"
+                        + " 10 %.", Panel.of(title, List.of(DriftCharts.small(comparison)))).first(SHOWN)),
                 List.of(DriftCharts.table(comparison)));
     }
 }

@@ -9,10 +9,11 @@ import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
 import particles.experiments.runs.ProgressListener;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
+import particles.output.report.Picture.Role;
 import particles.output.report.ResultPage;
+import particles.view.Panel;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -70,21 +71,21 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             figures.add(new Figure(solver, deltaT == null ? DELTA_T : deltaT, steps == null ? STEPS : steps));
         }
         List<Result> results = progress.each(figures, Figure::solver, LectureFigures::run);
-        Panel alone = Panel.phase(LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5)));
+        Panel alone = Panel.phase("The vector field (v, \u2212x)", LectureFigures.exactChart(),
+                Optional.of(LectureFigures.field(1.5))).answered("each solution is a circle");
         List<Panel> panels = new ArrayList<>(List.of(alone));
         List<Picture> pictures = new ArrayList<>(List.of(Picture.of("vector-field",
-                "The vector field of x'' = -x, and the one solution through (1, 0).", alone).again()));
+                "The vector field of x'' = -x, and the one solution through (1, 0).", alone).as(Role.REPEATS)));
         for (Result result : results) {
-            Panel panel = Panel.phase(LectureFigures.chart(result, title(result)),
-                    Optional.of(LectureFigures.field(LectureFigures.reach(result))));
+            Panel panel = Panel.phase(title(result.figure()), LectureFigures.chart(result),
+                    Optional.of(LectureFigures.field(LectureFigures.reach(result)))).answered(answer(result));
             panels.add(panel);
-            pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
+            pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).as(Role.REPEATS));
         }
-        // the solver that is added may end farther out by chance, as symplectic ones do
-        String finding = LectureFigures.finding(results.subList(0, LectureFigures.ON_SLIDES.size()));
-        pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", finding,
-                panels).onSlides(List.of()));
-        return new ResultPage(name(), finding, List.of("""
+        String title = "The slides' figures: x'' = \u2212x in state space";
+        pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", title,
+                panels).as(Role.WHOLE));
+        return new ResultPage(name(), title, List.of("""
                         The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
                         circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \
                         solver sees.""",
@@ -96,16 +97,16 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                 pictures, List.of(LectureFigures.table(results)));
     }
 
-    private static String title(Result result) {
-        Figure figure = result.figure();
-        return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: "
-                + Digits.format("amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.3g\u00a0rad",
-                result.amplitude(),
-                result.phaseError()).replace('-', '\u2212');
+    private static String title(Figure figure) {
+        return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps";
+    }
+
+    private static String answer(Result result) {
+        return Digits.format("amplitude \u00d7 %.4g, phase %+.3g rad", result.amplitude(), result.phaseError());
     }
 
     private static String fileName(Figure figure) {
-        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-"
+        return figure.solver() + "-" + Digits.exact(figure.deltaT()) + "s-"
                 + figure.steps() + "-steps";
     }
 }

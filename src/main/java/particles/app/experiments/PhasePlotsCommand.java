@@ -1,30 +1,35 @@
 package particles.app.experiments;
 
 import static java.util.stream.Collectors.groupingBy;
-import static java.util.stream.Collectors.mapping;
 import static java.util.stream.Collectors.toList;
 
 import deSolvers.text.DidYouMean;
+import deSolvers.text.Digits;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import particles.experiments.phase.Axis;
+import particles.experiments.phase.Coordinate;
 import particles.experiments.phase.PhasePortraits;
 import particles.experiments.phase.PhasePortraits.Portrait;
+import particles.experiments.phase.PhasePortraits.Portrait.Subject;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.experiments.runs.ProgressListener;
 import particles.law.Particles;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Phase;
+import particles.view.Chart;
+import particles.view.Panel;
+import particles.view.Series;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -50,7 +55,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     private String about;
 
     private Supplier<List<String>> chosenParticles;
-    private Supplier<List<Axis>> chosenAxes;
+    private Supplier<List<Coordinate>> chosenAxes;
     private Supplier<Optional<String>> pivot;
 
     @Override
@@ -70,8 +75,8 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 throw wrong("about", "an angle has no axis; leave " + getStyle().option("axes") + " out");
             }
         }
-        Optional<String> id = chosenAxes.get().contains(Axis.ANGLE) && about == null ? phase().flatMap(Phase::about)
-                : Optional.ofNullable(about);
+        Optional<String> id = chosenAxes.get().contains(Coordinate.ANGLE) && about == null
+                ? phase().flatMap(Phase::about) : Optional.ofNullable(about);
         if (id.filter(chosenParticles.get()::contains).isPresent()) {
             throw wrong("about", "'" + id.get() + "' has no angle about itself; choose another particle");
         }
@@ -108,37 +113,45 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     }
 
     /** The axes wanted; none for the axis along which a particle goes farthest. */
-    private List<Axis> axes(Optional<Phase> plot) {
+    private List<Coordinate> axes(Optional<Phase> plot) {
         if (about != null) {
-            return List.of(Axis.ANGLE);
+            return List.of(Coordinate.ANGLE);
         }
         if (axes == null) {
-            return plot.map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
+            return plot.map(phase -> List.of(Coordinate.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
             throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
         }
         return Arrays.stream(axes.split("")).distinct().map(letter ->
-                Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
+                Coordinate.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
     }
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Portraits portraits = PhasePortraits.compare(options.scene(), options.solvers(), chosenParticles.get(),
                 chosenAxes.get(), pivot.get(), progress);
-        List<Portrait> all = portraits.portraits();
-        String finding = PhasePortraits.finding(options.scene().title(), all);
-        boolean angle = chosenAxes.get().contains(Axis.ANGLE);
+        boolean angle = chosenAxes.get().contains(Coordinate.ANGLE);
         String caption = (angle ? "Angular velocity over angle." : "Velocity over position.")
                 + " The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the"
                 + " end of a run that stopped, or the place where a path leaves the picture.";
-        // one particle's portraits are compared
-        List<Panel> panels = all.stream().collect(groupingBy(Portrait::subject, LinkedHashMap::new, mapping(portrait ->
-                Panel.phase(portrait.chart(), Optional.empty()), toList()))).values().stream()
-                .flatMap(same -> same.stream().map(panel -> panel.scaledTo(same))).toList();
-        Picture picture = panels.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
-                : Picture.panels("phase-plots", caption, finding, panels);
-        return new ResultPage(name(), finding, List.of(
+        String step = ", deltaT = " + Digits.exact(options.scene().deltaT()) + " s";
+        String title = options.scene().title() + ": phase portraits" + step;
+        Map<Subject, List<Portrait>> subjects = portraits.portraits().stream().collect(groupingBy(Portrait::subject,
+                LinkedHashMap::new, toList()));
+        List<Panel> panels = new ArrayList<>();
+        for (List<Portrait> same : subjects.values()) {     // one particle's portraits are compared
+            List<Chart> charts = same.stream().map(Portrait::chart).toList();
+            List<Series> all = charts.stream().flatMap(chart -> chart.series().stream()).toList();
+            for (int k = 0; k < same.size(); k++) {
+                panels.add(Panel.phase(same.get(k).solver() + step, charts.get(k).scaledTo(all), Optional.empty())
+                        .answered(same.get(k).answer()).named(subjects.size() == 1 ? same.get(k).solver()
+                        : same.get(k).solver() + "-" + (panels.size() / same.size() + 1)));
+            }
+        }
+        Picture picture = panels.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0).named(""))
+                : Picture.panels("phase-plots", caption, title, panels);
+        return new ResultPage(name(), title, List.of(
                 """
                         A path in state space shows what a plot over time hides: a closed curve keeps its energy, a \
                         spiral outwards gains and a spiral inwards loses it. How far a path is off the curve is \

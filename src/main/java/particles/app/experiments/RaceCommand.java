@@ -28,8 +28,10 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
+import particles.view.Axis;
 import particles.view.Camera;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Panel;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -152,13 +154,14 @@ public final class RaceCommand extends ExperimentCommand {
                         : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
-                        Picture.bySolver("race-charts", """
+                        Picture.of("race-charts", """
                                 Distance of each solver from the reference, root mean square over the particles, \
-                                unless any are born or die, and energy error. A cross marks where a solver left the \
-                                race.""",
-                                race.lanes(), Lane::label, some -> Stream.of(RaceCharts.distance(race.of(some)),
-                                RaceCharts.energy(race.of(some))).filter(chart -> chart.series().stream()
-                                .anyMatch(series -> series.x().length > 0)).toList())),
+                                unless any are born or die, and energy error. At the curves: the distance, root mean \
+                                square over time, and the energy error, at the end if it drifts. A cross marks where a \
+                                solver left the race.""",
+                                Panel.of(RaceCharts.title(race), Stream.of(RaceCharts.distance(race),
+                                RaceCharts.energy(race)).filter(chart -> chart.series().stream().anyMatch(series ->
+                                series.x().length > 0)).toList()))),
                 List.of(RaceCharts.table(race)));
     }
 
@@ -192,7 +195,7 @@ public final class RaceCommand extends ExperimentCommand {
             FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
                     scene.scenery(), "", "");
             RaceFilm made = film.orElseThrow();
-            return List.of(made.watch(solver.map(SolverChoice::label), stage));
+            return List.of(made.watch(solver.map(SolverChoice::look), stage));
         }
 
         /** A scene's own camera shows what it does in pictures of the scene; otherwise one is placed here. */
@@ -219,10 +222,11 @@ public final class RaceCommand extends ExperimentCommand {
          */
         ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
             List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
-                    lane.label(), step(lane) + ", " + cost(lane, race.equalTime()), lane.left())).toList();
-            RaceFilm.Head head = new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
-                    RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words);
-            ChartData strip = RaceCharts.energy(race);
+                    lane.label(), lane.look(), RaceCharts.mean(lane), step(lane) + ", "
+                    + cost(lane, race.equalTime()), lane.left())).toList();
+            RaceFilm.Head head = new RaceFilm.Head(RaceCharts.title(race), "Beside each solver: its distance from the"
+                    + " grey ghost, root mean square. The ghost is " + Race.REFERENCE + ".", words);
+            Chart strip = new Chart(Axis.TIME, Axis.log("|energy error|", "%"), RaceCharts.energy(race).series());
             film.orElseThrow().write(folder, head, strip, progress);
             return film.get().sheet(head, strip);
         }

@@ -2,6 +2,8 @@ package particles.app.experiments;
 
 import static particles.view.DataTable.column;
 
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -17,14 +19,13 @@ import particles.experiments.stability.Spectrum.Mode;
 import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.Overrides;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData;
 import particles.view.DataTable;
+import particles.view.Panel;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -87,7 +88,7 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private ResultPage limits(ProgressListener progress) {
         DataTable limits = StabilityLimit.table(progress.part(0, 0.5));
-        return new ResultPage(name(), StabilityLimit.finding(), List.of(
+        return new ResultPage(name(), "Stability limits of all solvers", List.of(
                 """
                         Every number was measured on the solver's code, by bisection on the test equation y' = \
                         lambda y. Beside it is the theory, as in the catalogue. A spring without damping lies on the \
@@ -110,18 +111,18 @@ public final class StabilityCommand extends ExperimentCommand {
                                 only 0 belongs to the regions of euler, midpoint and adams; the outline of adams runs \
                                 so close beside the axis, up to 0.9, that the picture cannot show it: at 0.8 a step \
                                 still grows by 0.7 %.""",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05),
-                                4.7),
+                                List.of("euler", "midpoint", "rk4", "adams"),
+                                new Window(-3.5, 1, -3.5, 3.5, 0.05)),
                         new Region("adaptive",
                                 "One sub-step. Longer steps are divided, so these"
                                         + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 8.5),
+                                new Window(-8, 2.5, -6.5, 6.5, 0.08)),
                         new Region("symplectic",
                                 "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
                                         + " yoshida4); damping lowers it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"),
-                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 3),
+                                new Window(-2.5, 1, -2.5, 2.5, 0.04)),
                         new Region("implicit",
                                 """
                                         Stable in the shaded region: left of the outline of implicit-midpoint, the \
@@ -129,7 +130,7 @@ public final class StabilityCommand extends ExperimentCommand {
                                         outside the others, which also damp growth, if it is fast. Beyond the frame \
                                         the regions go on.""",
                                 List.of("backward-euler", "implicit-midpoint", "radau"),
-                                new Window(-3, 13, -8, 8, 0.15), 3)),
+                                new Window(-3, 13, -8, 8, 0.15))),
                         region -> "regions of " + String.join(", ", region.solvers()), Region::draw),
                 List.of(limits));
     }
@@ -140,38 +141,25 @@ public final class StabilityCommand extends ExperimentCommand {
         Mode fastest = spectrum.decaying().get(0);
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
         progress.reached(0.9, "outlines of the regions");
-        List<String> known = solvers.stream().filter(one -> one.info().isPresent()).map(SolverChoice::name).toList();
-        List<String> outlined = known.isEmpty() ? OUTLINES : known.stream().sorted(Comparator.comparing(name ->
-                !OUTLINES.contains(name))).limit(OUTLINES.size()).toList();
-        List<Picture> pictures = new ArrayList<>();
-        List<ChartData> plane = SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined);
-        String caption = """
+        List<SolverInfo> known = solvers.stream().flatMap(one -> one.info().stream()).toList();
+        List<SolverInfo> outlined = (known.isEmpty() ? SolverCatalog.all() : known).stream().sorted(
+                Comparator.comparing(one -> !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
+        List<Picture> pictures = new ArrayList<>(List.of(Picture.of("eigenvalues", """
                 Each point is the step times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
                 lie where the solver is stable: inside the outline of an explicit one, and outside or left of that of \
-                an implicit one.""";
-        pictures.add(Picture.of("eigenvalues", caption, Panel.map(plane.get(0))).onSlides(List.of(
-                Picture.of("eigenvalues", caption, Panel.map(plane.get(1))))));
+                an implicit one. An outline that is too small to be seen here is left out.""",
+                SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined))));
         List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();
         if (!finite.isEmpty()) {
-            pictures.add(Picture.bySolver("growth",
-                    "Lines: the largest factor of any mode in one step, as predicted; they end at 2."
-                    + " Points: the step at which pairs of runs began to move apart, by bisection.",
-                    finite, limit -> limit.solver().label(),
-                    some -> List.of(SceneStabilityCharts.growth(spectrum, some))));
+            pictures.add(Picture.of("growth", "Lines: the largest factor of any mode in one step, as predicted; they"
+                    + " end at 2. Points, and the numbers at the curves: the step at which pairs of runs began to move"
+                    + " apart, by bisection.", Panel.of(scene.title() + ": longest stable step",
+                    List.of(SceneStabilityCharts.growth(spectrum, finite)))).first(OUTLINES));
         }
-        return new ResultPage(name(), title(scene, limits, fastest), text(spectrum, fastest), pictures,
+        return new ResultPage(name(), scene.title() + ": longest stable step, fastest mode |lambda| = "
+                + Digits.few(fastest.size()) + " /s", text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));
-    }
-
-    private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
-        String limit = limits.stream().filter(known -> Limit.isFinite(known.measured())).findFirst()
-                .map(known -> Digits.format(", and %s is stable with steps up to deltaT = %.3g s",
-                        known.solver().label(), known.predicted() > 0
-                        ? Math.min(known.predicted(), known.measured()) : known.measured()))
-                .orElse("");
-        return Digits.format("%s: the fastest mode has |lambda| = %.3g /s%s", scene.title(),
-                fastest.size(), limit);
     }
 
     private static List<String> text(Spectrum spectrum, Mode fastest) {
@@ -207,20 +195,11 @@ public final class StabilityCommand extends ExperimentCommand {
                 column("period (s)", mode -> mode.im() == 0 ? Double.POSITIVE_INFINITY : 2 * Math.PI / mode.im()));
     }
 
-    /**
-     * A picture of stability regions: its name and caption, the solvers shown in a part of the plane, and how far the
-     * plane reaches to the left on a slide, which is wide and shows its upper half.
-     */
-    private record Region(String name, String caption, List<String> solvers, Window window, double left) {
+    /** A picture of stability regions: its name and caption, and the solvers shown in a part of the plane. */
+    private record Region(String name, String caption, List<String> solvers, Window window) {
         Picture draw() {
-            Window wide = new Window(-left, window.right(), 0, window.top(), window.cell());
-            String file = "region-" + name;
-            List<Panel> panels = solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window)))
-                    .toList();
-            return Picture.panels(file, caption, StabilityRegion.finding(solvers, window),
-                    panels.stream().map(panel -> panel.scaledTo(panels)).toList())
-                    .onSlides(List.of(Picture.of(file, caption,
-                            Panel.map(StabilityRegion.filled(solvers, wide)))));
+            return Picture.panels("region-" + name, caption, "Stability regions, measured", solvers.stream()
+                    .map(solver -> StabilityRegion.filled(SolverCatalog.info(solver), window)).toList());
         }
     }
 }

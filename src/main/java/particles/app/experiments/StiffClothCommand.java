@@ -4,7 +4,6 @@ import java.util.List;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.StiffCloth;
 import particles.experiments.work.StiffCloth.Row;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -17,7 +16,7 @@ public final class StiffClothCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Row> rows = StiffCloth.measure(StiffCloth.SWEEP, progress);
-        return new ResultPage(name(), StiffCloth.finding(rows), List.of(
+        return new ResultPage(name(), "One frame of stiff cloth: rk4 against one implicit step", List.of(
                 """
                         The stiffer the springs, the more steps of rk4 a frame needs to be stable: as many as the \
                         root of the stiffness. linearised-euler, backward Euler with one linear solve, takes one \
@@ -25,7 +24,7 @@ public final class StiffClothCommand extends ExperimentCommand {
                 "Its first step also orders the equations, once for each cloth. backward-euler iterates to its"
                         + " tolerance; where rk4 needs 100 steps or more, it does not converge."),
                 List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of three"
-                        + " steps of linearised-euler.", Panel.chart(StiffCloth.chart(rows)))),
+                        + " steps of linearised-euler.", StiffCloth.panel(rows))),
                 List.of(StiffCloth.table(rows)));
     }
 }

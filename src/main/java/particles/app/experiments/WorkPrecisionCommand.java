@@ -23,6 +23,7 @@ import picocli.CommandLine.Option;
 public final class WorkPrecisionCommand extends ExperimentCommand {
     /** The part of the time that the references take. */
     private static final double REFERENCES = 0.02;
+    private static final List<String> SHOWN = List.of("euler", "midpoint", "rk4", "dormand-prince", "radau");
     private static final String FAILURES = " Below: the runs without a result.";
 
     @Option(names = "--problem", paramLabel = "NAMES",
@@ -54,19 +55,18 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             List<Curve> curves = all.stream().filter(curve -> curve.problem() == solved).toList();
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                     + solved.origin() + ".";
-            pictures.add(Picture.bySolver(solved.name() + "-evaluations", caption
-                    + " The slope is fitted through the filled points." + FAILURES,
-                    curves, Curve::label,
-                    WorkCharts::byEvaluations));
-            pictures.add(Picture.bySolver(solved.name() + "-time", caption
+            pictures.add(Picture.of(solved.name() + "-evaluations", caption + " At the curves: the slope of the filled"
+                    + " points, and in brackets that of theory." + FAILURES, WorkCharts.byEvaluations(curves))
+                    .first(SHOWN));
+            pictures.add(Picture.of(solved.name() + "-time", caption
                     + " CPU time in the fastest round, as other work on the machine only makes a round slower; bars go"
-                    + " to the median of five. One solver is called first only if its bar overlaps no other."
-                    + FAILURES,
-                    curves, Curve::label, WorkCharts::byTime));
+                    + " to the median of five." + FAILURES,
+                    WorkCharts.byTime(curves)).first(SHOWN));
         }
         progress.reached(1, "the lecture's exercise");
         List<Cost> costs = CostExercise.solve();
-        return new ResultPage(name(), CostExercise.finding(costs), List.of(
+        return new ResultPage(name(), "The error of solvers against their cost", List.of("The lecture's exercise, "
+                + CostExercise.answer(costs) + ".",
                 """
                         Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of \
                         the one before. Its slope is the order: with half the step, the error of rk4 falls to a \

@@ -8,15 +8,15 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import particles.Observer;
 import particles.energy.EnergyRecorder;
-import particles.experiments.phase.Axis;
+import particles.experiments.phase.Coordinate;
 import particles.experiments.phase.PhaseHistory;
 import particles.experiments.phase.VectorFields;
+import particles.experiments.runs.SolverChoice;
 import particles.lab.Replay;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
 import particles.output.frames.FrameObserver;
@@ -31,7 +31,9 @@ import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.spec.Ordered;
 import particles.view.Camera;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Panel;
+import particles.view.Series;
 
 /** The observers of a run that write its files. */
 final class RunObservers implements AutoCloseable {
@@ -158,24 +160,19 @@ final class RunObservers implements AutoCloseable {
         if (!output.energy() && phase.isEmpty()) {
             return;                                     // drawing classes are not even loaded
         }
-        String title = description.title() + " (" + caption() + "): ";
+        String title = description.title() + ": " + caption();
         List<Picture> pictures = new ArrayList<>();
         if (output.energy()) {
-            boolean log = energy.getHistory().hasGrown();
-            List<ChartData> charts = new ArrayList<>();
-            ChartData energies = energy.getHistory().chart(title);
-            charts.add(energies.titled(title + RunFindings.energy(energies.series())));
-            for (ChartData chart : energy.getLedger().charts(energy.getScale(), log)) {
-                charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
-                        ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
-            }
-            pictures.add(Picture.of(ENERGY, "", Panel.stacked(charts)));
+            List<Chart> charts = new ArrayList<>(List.of(energy.getHistory().chart()));
+            charts.addAll(energy.getLedger().charts(energy.getScale(), energy.getHistory().hasGrown()));
+            pictures.add(Picture.of(ENERGY, "", Panel.of(title, charts)));
         }
         phase.ifPresent(history -> {
-            Axis axis = Axis.values()[output.phase().orElseThrow().axis()];
-            ChartData path = history.chart(axis, title);
-            ChartData.Series states = path.series().get(0);
-            pictures.add(Picture.of(PHASE, "", Panel.phase(path.titled(title + RunFindings.path(states)),
+            Coordinate axis = Coordinate.values()[output.phase().orElseThrow().axis()];
+            SolverChoice solver = SolverChoice.of(description.solver());
+            Chart path = history.chart(axis, solver.look(), solver.label());
+            Series states = path.series().get(0);
+            pictures.add(Picture.of(PHASE, "", Panel.phase(title, path,
                     VectorFields.around(scene.system(), axis, states.x(), states.y()))));
         });
         try (ChartWriter writer = new ChartWriter(folder, format)) {

@@ -2,6 +2,7 @@ package particles.app.student;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo.Family;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -47,7 +48,7 @@ public final class AskedMethods {
     public static String refusal(String name) {
         return SolverCatalog.find(name).map(solver -> "'" + name + "' cannot be asked for: the check sees whether"
                 + " such a method is right, but cannot tell it from others of its kind; write "
-                + (METHODS.containsKey(solver.family()) ? solver.family() : ANY))
+                + (solver.family() == Family.MULTISTEP ? "multistep" : ANY))
                 .orElseGet(() -> Wording.unknown("method", name, NAMES, List.of()));
     }
 

@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.student.Check.Checked;
-import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
@@ -94,16 +93,16 @@ public final class CheckSolverCommand extends CheckCommand {
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.of("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
-                Panel.chart(figures.order())));
+                figures.order()));
         figures.region().ifPresent(region -> pictures.add(Picture.of("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
                         + " there: deltaT times its eigenvalue lambda."
-                        + " Pale: the built-in solver that is nearest.", Panel.map(region))));
+                        + " Pale: the built-in solver that is nearest.", region)));
         pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
-                Panel.chart(figures.energy())));
+                figures.energy()));
         pictures.add(Picture.of("work-precision",
                 "The error after eight seconds against the work: lower left is better.",
-                Panel.chart(figures.workPrecision())));
+                figures.workPrecision()));
         return new Checked(name, verdict.identity(), findings, pictures, Stream.concat(Stream.of(figures.facts()),
                 figures.growth().stream()).toList());
     }

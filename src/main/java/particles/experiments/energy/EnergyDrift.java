@@ -15,6 +15,7 @@ import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
+import particles.view.Look;
 
 /**
  * Compares the energy drift of solvers on a scene. The drift is the energy ledger's numerical error - the change that
@@ -80,6 +81,11 @@ public final class EnergyDrift {
             return setting.label();
         }
 
+        /** @return the solver's look in charts */
+        public Look look() {
+            return setting.solver().look();
+        }
+
         /** @return the error of the largest size, with its sign: above 0 if energy was gained */
         public double extreme() {
             return Arrays.stream(error).boxed().max(Comparator.comparingDouble(Math::abs)).orElse(0.0);
@@ -96,10 +102,6 @@ public final class EnergyDrift {
      * @param drifts    the result of each solver
      */
     public record Comparison(String scene, double scale, boolean equalWork, boolean race, List<Drift> drifts) {
-        /** @return the comparison of some of the solvers */
-        public Comparison of(List<Drift> some) {
-            return new Comparison(scene, scale, equalWork, race, some);
-        }
     }
 
     private EnergyDrift() {

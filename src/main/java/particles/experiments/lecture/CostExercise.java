@@ -47,16 +47,14 @@ public final class CostExercise {
 
     /**
      * @param costs the result of {@link #solve}
-     * @return the answer in a sentence
+     * @return the ratio of the evaluations for the roughest and for the finest error, in a line
      */
-    public static String finding(List<Cost> costs) {
+    public static String answer(List<Cost> costs) {
         Cost rough = costs.get(0);
         Cost fine = costs.get(costs.size() - 1);
-        return Digits.format("""
-                The lecture's exercise: the smaller the error, the more a higher order saves. Midpoint costs %.2g \
-                times as much as RK4 for an error of %s, and %.2g times as much for %s""",
-                (double) rough.midpoint() / rough.rk4(), rough.error(),
-                (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
+        return Digits.format("evaluations, midpoint / rk4: %.2g for an error of %s, %.2g for %s",
+                (double) rough.midpoint() / rough.rk4(), Digits.few(rough.error()),
+                (double) fine.midpoint() / fine.rk4(), Digits.few(fine.error()));
     }
 
     /**

@@ -5,22 +5,19 @@ import static particles.view.DataTable.column;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
-import deSolvers.text.Digits;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
-import particles.view.ChartData.VectorField;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
+import particles.view.VectorField;
 
 /**
  * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state
@@ -31,6 +28,9 @@ import particles.view.DataTable;
 public final class LectureFigures {
     private static final int ARROWS = 17;
     private static final int CIRCLE = 361;
+    private static final Axis POSITION = Axis.linear("position x", "m");
+    private static final Axis VELOCITY = Axis.linear("velocity v", "m/s");
+    private static final Series START = Series.point(Look.MARK.variant(1), "start", Mark.POINTS, 1, 0);
 
     /**
      * The figures of the slides, in their order, from the captions. These do not state Euler's step, only its result; 3
@@ -97,30 +97,26 @@ public final class LectureFigures {
 
     /**
      * @param result a run
-     * @param title  the title of the chart
      * @return its path, the exact one, the start, and where both end
      */
-    public static ChartData chart(Result result, String title) {
+    public static Chart chart(Result result) {
         int n = result.figure().steps();
         Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
         double[] end = new Oscillator().exactState(n * result.figure().deltaT());
-        return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
-                new Series(SolverChoice.of(result.figure().solver()).label(), mark, result.x(), result.v()), exact(),
-                Series.point("start", Mark.POINTS, 1, 0),
-                Series.point("end", Mark.POINTS, result.x()[n], result.v()[n]),
-                Series.point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
+        SolverChoice solver = SolverChoice.of(result.figure().solver());
+        return new Chart(POSITION, VELOCITY, List.of(
+                new Series(solver.look(), solver.label(), mark, result.x(), result.v()), exact(), START,
+                Series.point(Look.MARK, "end", Mark.POINTS, result.x()[n], result.v()[n]),
+                Series.point(Look.MARK, "exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }
 
     /** @return the exact solution alone, which follows the vector field, drawn as beside a solver's path */
-    public static ChartData exactChart() {
-        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is a circle",
-                "position x (m)", "velocity v (m/s)", false, false,
-                List.of(new Series("no path", Mark.LINE, new double[0], new double[0]), exact(),
-                        Series.point("start", Mark.POINTS, 1, 0)));
+    public static Chart exactChart() {
+        return new Chart(POSITION, VELOCITY, List.of(exact(), START));
     }
 
     private static Series exact() {
-        return Series.of("exact", Mark.LINE, IntStream.range(0, CIRCLE).mapToObj(k ->
+        return Series.of(Look.REFERENCE, "exact", Mark.LINE, IntStream.range(0, CIRCLE).mapToObj(k ->
                 2 * Math.PI * k / (CIRCLE - 1)).toList(), StrictMath::cos, t -> -StrictMath.sin(t));
     }
 
@@ -139,37 +135,6 @@ public final class LectureFigures {
     public static double reach(Result result) {
         return 1.1 * DoubleStream.concat(Arrays.stream(result.x()), Arrays.stream(result.v())).map(Math::abs)
                 .reduce(1, Math::max);
-    }
-
-    /**
-     * @param results runs
-     * @return a sentence about the direction of each solver's spiral, and about the effect of the step: the longest and
-     *         the shortest step of a solver that spirals outwards with several
-     */
-    public static String finding(List<Result> results) {
-        String ways = Stream.of(
-                SolverChoice.said(solvers(results, result -> result.amplitude() > 1), "spirals outwards"),
-                SolverChoice.said(solvers(results, result -> result.amplitude() < 1), "spirals inwards"))
-                .filter(way -> !way.isEmpty()).collect(Collectors.joining(", "));
-        for (String solver : solvers(results, result -> result.amplitude() > 1)) {
-            List<Result> steps = results.stream().filter(result -> result.figure().solver().equals(solver))
-                    .sorted(Comparator.comparingDouble(result -> -result.figure().deltaT())).toList();
-            if (steps.size() > 1) {
-                return ways + "; how fast depends on the step: " + solver + " " + growth(steps.get(0)) + ", "
-                        + growth(steps.get(steps.size() - 1));
-            }
-        }
-        return ways;
-    }
-
-    private static List<String> solvers(List<Result> results, Predicate<Result> which) {
-        return results.stream().filter(which).map(result -> result.figure().solver()).distinct().toList();
-    }
-
-    private static String growth(Result result) {
-        double deltaT = result.figure().deltaT();
-        return "\u00d7\u00a0" + Digits.few(result.amplitude()) + " in " + Digits.few(result.figure().steps() * deltaT)
-                + " s with deltaT = " + Digits.few(deltaT) + " s";
     }
 
     /**

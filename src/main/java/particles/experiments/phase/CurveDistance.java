@@ -2,7 +2,7 @@ package particles.experiments.phase;
 
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
-import particles.view.ChartData.Series;
+import particles.view.Series;
 
 /**
  * The distance of a path in state space from a curve, by shape alone: times are not compared.

@@ -11,9 +11,10 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.StridedRecorder;
 import particles.law.Particles;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Records the path of one particle in its state space: position against velocity along an axis, or its angle about
@@ -109,12 +110,12 @@ public final class PhaseHistory extends StridedRecorder {
     }
 
     /** @return the axis along which the particle went farthest; x if it did not move */
-    Axis widestAxis() {
-        return Axis.DIRECTIONS.stream().reduce((widest, axis) -> range(axis) > range(widest) ? axis : widest)
+    Coordinate widestAxis() {
+        return Coordinate.DIRECTIONS.stream().reduce((widest, axis) -> range(axis) > range(widest) ? axis : widest)
                 .orElseThrow();
     }
 
-    private double range(Axis axis) {
+    private double range(Coordinate axis) {
         DoubleSummaryStatistics values = path.stream().mapToDouble(state -> state[axis.ordinal()])
                 .summaryStatistics();
         return values.getMax() - values.getMin();
@@ -126,22 +127,26 @@ public final class PhaseHistory extends StridedRecorder {
     }
 
     /**
-     * @param axis  the component of the motion
-     * @param title the title of the chart, such as the scene and its solver
+     * @param axis the component of the motion
+     * @param look the look of the path
+     * @param name the name of the path, such as its solver's
      * @return the path, cut at jumps, and its first and last state once more as marks of their own
      * @throws IllegalStateException if no run with this particle was observed
      */
-    public ChartData chart(Axis axis, String title) {
+    public Chart chart(Coordinate axis, Look look, String name) {
         if (path.isEmpty()) {
             throw new IllegalStateException("no run with a particle '" + id + "' was observed");
         }
-        double[] x = column(axis == Axis.ANGLE ? Particles.STRIDE : axis.ordinal());
-        double[] v = column(axis == Axis.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
-        String whose = " of '" + id + "'" + (axis == Axis.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
+        double[] x = column(axis == Coordinate.ANGLE ? Particles.STRIDE : axis.ordinal());
+        double[] v = column(axis == Coordinate.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
+        String whose = " of '" + id + "'" + (axis == Coordinate.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
         Mark mark = every > 1 ? Mark.POINTS : path.size() <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
-        return new ChartData(title, axis.positionLabel(whose), axis.velocityLabel(whose), false, false,
-                List.of(new Series("path", mark, x, v),
-                        Series.point("start", Mark.POINTS, x[0], v[0]),
-                        Series.point("end", Mark.POINTS, x[x.length - 1], v[x.length - 1])));
+        return new Chart(axis.position(whose), axis.velocity(whose), List.of(new Series(look, name, mark, x, v),
+                start(x[0], v[0]), Series.point(Look.MARK, "end", Mark.POINTS, x[x.length - 1], v[x.length - 1])));
+    }
+
+    /** @return the mark of the start of a path */
+    static Series start(double x, double v) {
+        return Series.point(Look.MARK.variant(1), "start", Mark.POINTS, x, v);
     }
 }

@@ -5,14 +5,9 @@ import static particles.view.DataTable.column;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.BinaryOperator;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.experiments.phase.PhasePortraits.Portrait.Subject;
 import particles.experiments.runs.ProgressListener;
@@ -21,10 +16,11 @@ import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Phase portraits of a scene: the path of a particle with each of several solvers, over that of a very accurate run,
@@ -40,10 +36,8 @@ public final class PhasePortraits {
      * shrink to a dot.
      */
     private static final double PICTURE = 3.2;
-    /** A path this far from the curve has left it. */
-    private static final double LEFT = 0.05;
     /** From ten times on, a percentage is hard to read. */
-    private static final double MANY_TIMES = 10;
+    private static final int MANY_TIMES = 10;
 
     /**
      * The result of the runs.
@@ -55,21 +49,10 @@ public final class PhasePortraits {
     }
 
     /** One solver's run, with the path of each particle. */
-    private record Run(String name, List<PhaseHistory> paths, Outcome outcome) {
-        Series path(int particle, Axis axis) {
-            Series path = paths.get(particle).chart(axis, "").series().get(0);
-            return new Series(name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
-        }
-    }
-
-    /** What becomes of a path, the worst first. */
-    private enum Fate {
-        BLOWS_UP("blows up"), STOPS("stops early"), LEAVES("leaves the reference"), STAYS("stays on the reference");
-
-        final String words;
-
-        Fate(String words) {
-            this.words = words;
+    private record Run(String name, Look look, List<PhaseHistory> paths, Outcome outcome) {
+        Series path(int particle, Coordinate axis) {
+            Series path = paths.get(particle).chart(axis, look, name).series().get(0);
+            return new Series(look, name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
         }
     }
 
@@ -81,25 +64,25 @@ public final class PhasePortraits {
      * @param solvers   the solvers to compare
      * @param particles their ids
      * @param axes      the axes of the portraits; none for the one along which each particle goes farthest
-     * @param about     the particle about which angles are measured, for {@link Axis#ANGLE}
+     * @param about     the particle about which angles are measured, for {@link Coordinate#ANGLE}
      * @param progress  receives the progress
      * @return the portraits
      */
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
-            List<Axis> axes, Optional<String> about, ProgressListener progress) {
+            List<Coordinate> axes, Optional<String> about, ProgressListener progress) {
         List<Setting> settings = new ArrayList<>(List.of(Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE)));
         solvers.forEach(solver -> settings.add(Setting.of(solver, scene.deltaT())));
         List<Run> all = progress.onAllCores(settings, setting -> setting == settings.get(0) ? REFERENCE_COST : 1,
-                Setting::label, setting -> run(scene, setting,
-                setting == settings.get(0) ? REFERENCE : setting.label(), particles, about));
+                Setting::label, setting -> setting == settings.get(0)
+                ? run(scene, setting, REFERENCE, Look.REFERENCE, particles, about)
+                : run(scene, setting, setting.label(), setting.solver().look(), particles, about));
         Run reference = all.get(0);
         List<Run> runs = all.subList(1, all.size());
         List<Portrait> portraits = new ArrayList<>();
         List<Portrait> rows = new ArrayList<>();
         for (int p = 0; p < particles.size(); p++) {
-            for (Axis axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
-                Subject subject = new Subject(particles.get(p), axis, scene.deltaT(),
-                        particles.size() > 1 || axes.size() > 1 ? "'" + particles.get(p) + "', " : "");
+            for (Coordinate axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
+                Subject subject = new Subject(particles.get(p), axis);
                 CurveDistance curve = new CurveDistance(reference.path(p, axis));
                 for (Run run : runs) {
                     Series path = run.path(p, axis);
@@ -109,7 +92,7 @@ public final class PhasePortraits {
                 rows.add(new Portrait(subject, curve.curve(), curve, 0, reference.outcome()));
             }
         }
-        boolean angles = axes.contains(Axis.ANGLE);
+        boolean angles = axes.contains(Coordinate.ANGLE);
         String position = angles ? "angle%s (rad)" : "position%s (m)";
         String velocity = angles ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
         return new Portraits(portraits, DataTable.of("ends",
@@ -129,33 +112,10 @@ public final class PhasePortraits {
         return values[values.length - 1];
     }
 
-    /**
-     * @param scene     its title
-     * @param portraits the portraits of the scene
-     * @return a sentence about what becomes of each solver's path
-     */
-    public static String finding(String scene, List<Portrait> portraits) {
-        Map<String, Portrait> worst = new LinkedHashMap<>();
-        portraits.stream().filter(portrait -> !portrait.whole() || !Double.isNaN(portrait.off())).forEach(portrait ->
-                worst.merge(portrait.solver(), portrait, BinaryOperator.minBy(Comparator.comparing(Portrait::fate)
-                        .thenComparing(Portrait::off, Comparator.reverseOrder()))));
-        String parts = Arrays.stream(Fate.values()).map(fate -> {
-            List<Portrait> some = worst.values().stream().filter(portrait -> portrait.fate() == fate).toList();
-            return SolverChoice.said(some.stream().map(Portrait::solver).toList(), fate.words + (fate != Fate.STAYS ? ""
-                    : " to within " + percent(some.stream().mapToDouble(Portrait::off).max().orElse(0))));
-        }).filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
-        return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
-    }
-
-    /** @return a share with the digits of the table, such as 3.2 % of its half width */
-    private static String percent(double share) {
-        return Digits.few(100 * share, 2) + " % of its half width";
-    }
-
-    private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
+    private static Run run(SceneDescription scene, Setting setting, String name, Look look, List<String> particles,
             Optional<String> about) {
         List<PhaseHistory> paths = particles.stream().map(id -> new PhaseHistory(id, about)).toList();
-        return new Run(name, paths, SceneRun.run(SceneRun.build(scene, setting), paths));
+        return new Run(name, look, paths, SceneRun.run(SceneRun.build(scene, setting), paths));
     }
 
     /**
@@ -174,10 +134,8 @@ public final class PhasePortraits {
          *
          * @param particle its id
          * @param axis     the axis
-         * @param deltaT   the time step (s)
-         * @param heading  begins the titles of its charts if there are several subjects
          */
-        public record Subject(String particle, Axis axis, double deltaT, String heading) {
+        public record Subject(String particle, Coordinate axis) {
         }
 
         /** @return the solver's label */
@@ -190,48 +148,38 @@ public final class PhasePortraits {
             return outcome.whole();
         }
 
-        private Fate fate() {
-            return whole() ? off > LEFT ? Fate.LEAVES : Fate.STAYS : off > PICTURE ? Fate.BLOWS_UP : Fate.STOPS;
-        }
-
         /** @return how far the last value is from the reference's; NaN if the run did not reach its end */
         double error(Function<Series, double[]> which) {
             return whole() ? Math.abs(last(which.apply(path)) - last(which.apply(curve.curve()))) : Double.NaN;
         }
 
         /** @return the path over the reference, with both ends and the point where it leaves the picture */
-        public ChartData chart() {
+        public Chart chart() {
             Series exact = curve.curve();
             int shown = (int) IntStream.range(0, path.x().length).takeWhile(n ->
                     !(curve.outwards(path.x()[n], path.y()[n]) > PICTURE)).count();
             int end = shown - 1;
             int last = exact.x().length - 1;
             List<Series> series = new ArrayList<>(List.of(
-                    new Series(exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(), exact.x(),
-                            exact.y()),
-                    new Series(solver(), path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)),
-                    Series.point("start", Mark.POINTS, exact.x()[0], exact.y()[0]),
-                    Series.point("reference end", Mark.OPEN_POINTS, exact.x()[last], exact.y()[last])));
+                    new Series(exact.look(), exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(),
+                            exact.x(), exact.y()),
+                    new Series(path.look(), solver(), path.mark(), Arrays.copyOf(path.x(), shown),
+                            Arrays.copyOf(path.y(), shown)),
+                    PhaseHistory.start(exact.x()[0], exact.y()[0]),
+                    Series.point(Look.MARK, "reference end", Mark.OPEN_POINTS, exact.x()[last], exact.y()[last])));
             if (end >= 0) {
                 boolean ends = whole() && shown == path.x().length;
-                series.add(Series.point(ends ? "end" : "stopped, or out of the picture",
+                series.add(Series.point(Look.MARK, ends ? "end" : "stopped, or out of the picture",
                         ends ? Mark.POINTS : Mark.FAILURES, path.x()[end], path.y()[end]));
             }
-            return new ChartData(subject.heading() + solver() + " (deltaT = " + Digits.few(subject.deltaT()) + " s): "
-                    + verdict(), subject.axis().positionLabel(""),
-                    subject.axis().velocityLabel(""), false, false, series);
+            return new Chart(subject.axis().position(" of '" + subject.particle() + "'"),
+                    subject.axis().velocity(""), series);
         }
 
-        private String verdict() {
-            if (!whole()) {
-                return fate().words;
-            }
-            if (Double.isNaN(off)) {
-                return !curve.isAtRest() ? "in state space" : "at rest" + (subject.axis() == Axis.ANGLE ? ""
-                        : " along " + subject.axis().symbol());
-            }
-            return fate() == Fate.STAYS ? "on the reference to within " + percent(off) : "off the reference by "
-                    + (off > MANY_TIMES ? "more than ten times its half width" : "up to " + percent(off));
+        /** @return how far the path is off the reference's curve, in a line; empty if that has no curve */
+        public String answer() {
+            return Double.isNaN(off) ? "" : "off the reference by " + (off > MANY_TIMES
+                    ? "more than " + MANY_TIMES + " times" : Digits.few(100 * off, 2) + " % of") + " its half width";
         }
     }
 }

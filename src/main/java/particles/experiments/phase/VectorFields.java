@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.view.ChartData.VectorField;
+import particles.view.VectorField;
 
 /** The arrows of the slide "Vectors show the vector field", for systems that have one degree of freedom. */
 public final class VectorFields {
@@ -32,8 +32,8 @@ public final class VectorFields {
      * @return the field; empty for an angle, if there are more degrees of freedom or moving anchors, or if the path has
      *         no extent
      */
-    public static Optional<VectorField> around(ParticleSystem system, Axis axis, double[] x, double[] v) {
-        if (axis == Axis.ANGLE) {
+    public static Optional<VectorField> around(ParticleSystem system, Coordinate axis, double[] x, double[] v) {
+        if (axis == Coordinate.ANGLE) {
             return Optional.empty();
         }
         Particles particles = system.getParticles();
@@ -64,7 +64,7 @@ public final class VectorFields {
         return one ? Optional.of(field) : Optional.empty();
     }
 
-    private static double across(double[] values, int first, Axis axis) {
+    private static double across(double[] values, int first, Coordinate axis) {
         return IntStream.range(0, 3).filter(c -> c != axis.ordinal()).mapToDouble(c -> Math.abs(values[first + c]))
                 .max().orElse(0);
     }

@@ -29,6 +29,7 @@ import particles.experiments.runs.SolverChoice;
 import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
+import particles.view.Look;
 
 /**
  * A race of solvers on one scene: all do the same work, and the solver that stays nearest to a very accurate run wins.
@@ -75,6 +76,11 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
             return match.setting().label();
         }
 
+        /** @return the solver's look in charts */
+        public Look look() {
+            return match.setting().solver().look();
+        }
+
         /** @return the time at which it left the race (s): it failed, or went far from any place of the reference */
         public OptionalDouble left() {
             return drift.outcome().whole() ? OptionalDouble.empty() : OptionalDouble.of(drift.outcome().endTime());
@@ -95,10 +101,6 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      */
     public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
-        /** @return the race with these lanes only */
-        public Result of(List<Lane> some) {
-            return new Result(scene, duration, times, equalTime, shares, scale, reference, some);
-        }
     }
 
     /**

@@ -1,6 +1,5 @@
 package particles.experiments.race;
 
-import static java.util.stream.Collectors.joining;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
@@ -13,13 +12,13 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.runs.EqualTime;
-import particles.experiments.runs.SolverChoice;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
-/** Charts, tables and findings of a race. */
+/** Charts and tables of a race. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
     /**
@@ -27,12 +26,6 @@ public final class RaceCharts {
      * than equal work.
      */
     private static final double TOO_MUCH = 1.2;
-    /**
-     * Solvers within this factor of the nearest share the first place: their order is chance.
-     */
-    private static final double AS_NEAR = 1.1;
-    /** A distance below this part of the largest coordinate is round-off. */
-    private static final double ROUND_OFF = 1e-12;
 
     private RaceCharts() {
     }
@@ -41,32 +34,34 @@ public final class RaceCharts {
      * @param race the result of the race
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
-    public static ChartData energy(Result race) {
-        Comparison comparison = new Comparison(race.scene(), race.scale(), !race.equalTime(), true,
-                race.lanes().stream().map(Lane::drift).toList());
-        return DriftCharts.charts(comparison).get(0);
+    public static Chart energy(Result race) {
+        return DriftCharts.sizes(new Comparison(race.scene(), race.scale(), !race.equalTime(), true,
+                race.lanes().stream().map(Lane::drift).toList())).named("energy-error");
     }
 
     /**
      * @param race the result of the race
-     * @return the distance of each solver from the reference, over time
+     * @return the distance of each solver from the reference, over time; the root mean square over time at its end
      */
-    public static ChartData distance(Result race) {
+    public static Chart distance(Result race) {
         List<Series> series = new ArrayList<>();
-        List<double[]> left = new ArrayList<>();
         for (Lane lane : race.lanes()) {
             List<double[]> known = IntStream.range(1, lane.distance().length)
                     .filter(k -> lane.distance()[k] >= SMALLEST)
                     .mapToObj(k -> new double[] {race.times()[k], lane.distance()[k]}).toList();
-            series.add(Series.of(lane.label(), Mark.LINE, known));
+            series.add(Series.of(lane.look(), lane.label(), Mark.LINE, known).ending(mean(lane)));
             if (lane.left().isPresent() && !known.isEmpty()) {
-                left.add(known.get(known.size() - 1));
+                series.add(Series.of(lane.look(), DriftCharts.LEFT, Mark.FAILURES,
+                        known.subList(known.size() - 1, known.size())));
             }
         }
-        if (!left.isEmpty()) {
-            series.add(Series.of(DriftCharts.LEFT, Mark.FAILURES, left));
-        }
-        return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
+        return new Chart(Axis.TIME, Axis.log("distance from the reference", "m"), series);
+    }
+
+    /** @return the distance of a solver from the reference, such as "0.12 m", or when it left the race */
+    public static String mean(Lane lane) {
+        return lane.left().isPresent() ? "until " + Digits.few(lane.left().getAsDouble()) + " s"
+                : Double.isNaN(rms(lane)) ? "" : Digits.few(rms(lane)) + " m";
     }
 
     /**
@@ -87,55 +82,14 @@ public final class RaceCharts {
 
     /**
      * @param race the result of the race
-     * @return the scene, the kind of equal work, the winner and the solvers that left
+     * @return the scene and the kind of equal work
      */
     public static String title(Result race) {
-        String finding = finding(race);
-        return race.scene() + ", " + work(race) + (finding.isEmpty() ? "" : ": " + finding);
-    }
-
-    /**
-     * @param race the result of the race
-     * @return a sentence about the winner and the solvers that left; may be empty
-     */
-    public static String finding(Result race) {
-        List<String> parts = new ArrayList<>();
-        parts.add(nearest(race));
-        List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
-        if (!left.isEmpty()) {
-            parts.add(left.size() > 3 ? left.size() + " solvers leave the race" : left.stream().map(lane -> lane.label()
-                    + " " + DriftCharts.verdict(lane.drift(), true)).collect(joining(", ")));
-        }
-        for (Lane lane : race.lanes()) {
-            double cost = share(race, lane);
-            if (cost > TOO_MUCH && lane.left().isEmpty()) {
-                parts.add(lane.label() + Digits.format(" cannot do with less than %.3g times the %s", cost,
-                        race.equalTime() ? "time" : "work"));
-            }
-        }
-        parts.removeIf(String::isEmpty);
-        return String.join("; ", parts);
-    }
-
-    /** The solvers that stay nearest; may be empty. A solver that needed more than its share is left out. */
-    private static String nearest(Result race) {
-        List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
-                && share(race, lane) <= TOO_MUCH).toList();
-        double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
-        double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
-        return SolverChoice.said(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
-                .map(Lane::label).toList(), compared.size() > 1 ? "stays nearest to the reference on average"
-                : "is " + Digits.few(nearest) + " m from the reference on average");
-    }
-
-    /** The work of a lane, divided by the work that each was to have. */
-    private static double share(Result race, Lane lane) {
-        return (race.equalTime() ? lane.match().seconds() : lane.match().evaluations())
-                / race.shares().work();
+        return race.scene() + ": " + work(race);
     }
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
-    private static double mean(Lane lane) {
+    private static double rms(Lane lane) {
         return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average()
                 .orElse(Double.NaN));
     }
@@ -145,12 +99,12 @@ public final class RaceCharts {
      * @return the table, with a row for each solver
      */
     public static DataTable table(Result race) {
-        return DataTable.of("race", race.scene() + ", " + work(race), race.lanes(), column("solver", Lane::label),
+        return DataTable.of("race", title(race), race.lanes(), column("solver", Lane::label),
                 column("deltaT (s)", lane -> lane.match().setting().deltaT()),
                 column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),
                 column("time (ms)", 3, lane -> 1000 * lane.match().seconds()),
-                column("distance, rms (m)", 3, RaceCharts::mean),
+                column("distance, rms (m)", 3, RaceCharts::rms),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),
                 column("largest energy error / scale", 2, lane -> lane.drift().largest()),

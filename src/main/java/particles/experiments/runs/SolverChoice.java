@@ -9,6 +9,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
 import particles.scene.format.SolverDescription.Tolerances;
+import particles.view.Look;
 
 /**
  * A solver in an experiment: a name, and its catalogue entry if it has one.
@@ -19,7 +20,6 @@ import particles.scene.format.SolverDescription.Tolerances;
 public record SolverChoice(String name, Optional<SolverInfo> info) {
     /** The solver for whatever is only to be accurate enough. */
     public static final SolverChoice RK4 = of("rk4");
-    private static final int MOST_NAMED = 3;
     /** The solver that makes references. */
     public static final SolverChoice ACCURATE = of("dormand-prince");
 
@@ -52,12 +52,6 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return choices;
     }
 
-    /** @return the names as in a sentence: a, b and c */
-    public static String together(List<String> names) {
-        int last = names.size() - 1;
-        return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
-    }
-
     /**
      * @return the names in a list separated by commas
      * @throws IllegalArgumentException if one is there twice
@@ -70,26 +64,6 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
             }
         }
         return List.copyOf(once);
-    }
-
-    /** @return the names as in a sentence, or only their number if they are more than three */
-    public static String few(List<String> names) {
-        return names.size() > MOST_NAMED ? names.size() + " solvers" : together(names);
-    }
-
-    /** @return what one solver or several do: "is never stable", "are never stable" */
-    public static String verb(int solvers, String does) {
-        return solvers == 1 ? does : does.replaceFirst("^is ", "are ").replaceFirst("^(\\w+)s ", "$1 ");
-    }
-
-    /** @return all names, and what they do */
-    public static String all(List<String> names, String does) {
-        return together(names) + " " + verb(names.size(), does);
-    }
-
-    /** @return a few names, or their number, and what they do; empty for no names */
-    public static String said(List<String> names, String does) {
-        return names.isEmpty() ? "" : few(names) + " " + verb(names.size(), does);
     }
 
     /** @return whether it chooses its own sub-steps and takes tolerances */
@@ -110,6 +84,11 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
     /** @return its name in charts; for a class without the package */
     public String label() {
         return info.isPresent() ? name : name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /** @return its look in charts */
+    public Look look() {
+        return info.map(Look::of).orElse(Look.OWN);
     }
 
     /**

@@ -2,6 +2,7 @@ package particles.experiments.stability;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
@@ -48,7 +49,7 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
         return new Amplification(() -> {
             solver.reset();
             return solver;
-        }, info.secondOrder(), info.family().equals("multistep"));
+        }, info.secondOrder(), info.family() == Family.MULTISTEP);
     }
 
     /**

@@ -214,8 +214,8 @@ public final class SceneStability {
             }
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
-                Digits.format("%slongest tried: %.3g s",
-                        solver.adaptive() ? "chooses its own sub-steps; " : "", longest).replaceAll("e[+]0?", "e"));
+                (solver.adaptive() ? "chooses its own sub-steps; " : "") + "longest tried: " + Digits.few(longest)
+                        + " s");
     }
 
     /** A mode by the particle that moves most in it. */

@@ -1,22 +1,19 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.StabilityRegion.Window;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Charts of a scene's stability: its eigenvalues in the solvers' stability regions, and the growth per step over
@@ -39,41 +36,23 @@ public final class SceneStabilityCharts {
      * @param scene    the title of the scene
      * @param spectrum the spectrum of its start
      * @param deltaT   the scene's step (s)
-     * @param solvers  catalogue names whose outlines are drawn
-     * @return the chart of the step times each eigenvalue, with the outlines of the regions that are large enough to be
-     *         seen, and its upper half, which is the same as the lower one, for a wide page; where the scene's step is
-     *         far too long for all solvers, it is drawn at the longest that is stable with one
+     * @param solvers  the solvers whose outlines are drawn
+     * @return the step times each eigenvalue, with the outlines of the regions that are large enough to be seen; where
+     *         the scene's step is far too long for all solvers, it is drawn at the longest that is stable with one
      */
-    public static List<ChartData> plane(String scene, Spectrum spectrum, double deltaT, List<String> solvers) {
-        Map<String, Double> limits = new LinkedHashMap<>();
-        solvers.forEach(solver -> limits.put(solver, new SpectrumLimit(SolverCatalog.info(solver), spectrum).deltaT()));
-        double longest = limits.values().stream().reduce(0.0, Math::max);
+    public static Panel plane(String scene, Spectrum spectrum, double deltaT, List<SolverInfo> solvers) {
+        double longest = solvers.stream().mapToDouble(solver -> new SpectrumLimit(solver, spectrum).deltaT()).max()
+                .orElse(0);
         double step = longest > 0 && deltaT > FAR_TOO_LONG * longest ? longest : deltaT;
-        List<String> stable = solvers.stream().filter(solver -> limits.get(solver) >= deltaT).toList();
-        boolean divided = solvers.stream().anyMatch(solver -> SolverCatalog.info(solver).adaptive()
-                && limits.get(solver) < Double.POSITIVE_INFINITY);
-        String title = scene + ": a step " + (divided ? "or sub-step " : "") + "of " + Digits.few(deltaT)
-                + " s is stable with " + (stable.isEmpty() ? "no solver shown" : SolverChoice.together(stable))
-                + (step == deltaT ? "" : "; drawn for " + Digits.few(step) + " s, the longest that is stable with "
-                + Collections.max(solvers, Comparator.comparing(limits::get)));
-        List<double[]> points = spectrum.modes().stream().map(mode ->
-                new double[] {step * mode.re(), step * mode.im()}).toList();
+        List<double[]> points = spectrum.modes().stream().flatMap(mode -> Stream.of(mode.im(), -mode.im()).map(im ->
+                new double[] {step * mode.re(), step * im})).toList();
         double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * step * mode.size()).reduce(3, Math::max);
-        Series upper = Series.of("modes of the scene", Mark.POINTS, points);
-        Series both = Series.of(upper.name(), Mark.POINTS, Stream.concat(points.stream(), points.stream().map(point ->
-                new double[] {point[0], -point[1]})).toList());
-        ChartData half = StabilityRegion.outlines(solvers, new Window(-1.2 * far, 0.4 * far, 0, far, far / CELLS));
-        ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, -far, far, far / CELLS));
-        return List.of(add(title, whole, both, far), add(title, half, upper, far));
-    }
-
-    private static ChartData add(String title, ChartData chart, Series points, double far) {
-        List<Series> series = new ArrayList<>(chart.series());
-        List<String> small = new ArrayList<>();
-        series.removeIf(line -> Arrays.stream(line.y()).noneMatch(y -> y > SEEN * far) && small.add(line.name()));
-        series.add(points);
-        return chart.with(List.of(), series).titled(title + (small.isEmpty() ? ""
-                : "; outlines of " + SolverChoice.few(small) + " are too small to be seen"));
+        Chart outlines = StabilityRegion.outlines(solvers, new Window(-far, far / 3, -far, far, far / CELLS));
+        List<Series> series = new ArrayList<>(outlines.series());
+        series.removeIf(line -> Arrays.stream(line.y()).noneMatch(y -> y > SEEN * far));
+        series.add(Series.of(Look.number(0), "modes of the scene", Mark.POINTS, points));
+        return Panel.map(scene + ": eigenvalues times deltaT = " + Digits.few(step) + " s",
+                new Chart(outlines.x(), outlines.y(), series).scaledTo(outlines.scale()));
     }
 
     /**
@@ -82,7 +61,7 @@ public final class SceneStabilityCharts {
      * @return the chart of the growth of the fastest growing mode over deltaT, with the deltaT at which runs began to
      *         grow
      */
-    public static ChartData growth(Spectrum spectrum, List<Limit> finite) {
+    public static Chart growth(Spectrum spectrum, List<Limit> finite) {
         List<Series> series = new ArrayList<>();
         double largest = finite.stream().mapToDouble(limit -> 2 * limit.measured()).max().orElse(0);
         for (Limit limit : finite) {
@@ -97,12 +76,11 @@ public final class SceneStabilityCharts {
                 double above = factor > TOP && Double.isFinite(factor) ? (factor - TOP) / (factor - before) : 0;
                 line.add(new double[] {deltaT - above * largest / POINTS, Math.min(TOP, factor)});
             }
-            series.add(Series.of(limit.solver().label(), Mark.LINE, line));
+            series.add(Series.of(limit.solver().look(), limit.solver().label(), Mark.LINE, line)
+                    .ending(Digits.few(limit.measured()) + " s"));
+            series.add(Series.point(limit.solver().look(), "longest stable step in runs", Mark.OPEN_POINTS,
+                    limit.measured(), 1));
         }
-        series.add(Series.of("limit measured on runs", Mark.OPEN_POINTS, finite, Limit::measured, limit -> 1));
-        return new ChartData(finite.stream().map(limit -> limit.solver().label() + " " + Digits.few(limit.measured())
-                + " s (" + Digits.few(limit.predicted()) + " s)").collect(Collectors.joining(", ",
-                "Longest stable step in runs, predicted in brackets: ", "")), "deltaT (s)",
-                "largest factor of a mode in one step", false, false, series);
+        return new Chart(Axis.linear("deltaT", "s"), Axis.linear("largest factor of a mode in one step", ""), series);
     }
 }

@@ -1,6 +1,7 @@
 package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.List;
@@ -8,7 +9,6 @@ import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.runs.SolverChoice;
 import particles.view.DataTable;
 
 /**
@@ -90,7 +90,7 @@ public record StabilityLimit(double value, double growth) {
         if (value == 0) {
             return Double.isNaN(growth) ? "always grows"
                     : growth < ROUND_OFF ? "no growth above 1e-12 a step"
-                    : Digits.format("always grows: %.2e a step", growth).replace("e-0", "e-");
+                    : Digits.format("always grows: %s a step", Digits.few(growth));
         }
         return value == Double.POSITIVE_INFINITY ? "unbounded" : Digits.format("%.4f", value);
     }
@@ -104,15 +104,6 @@ public record StabilityLimit(double value, double growth) {
                 Stream.of("solver", "real limit: theory", "measured", "imaginary limit: theory", "measured ",
                 "damped limit: stated", "measured  ", "measured on").map(DataTable::column).toList(),
                 progress.each(SolverCatalog.all(), info -> "limits of " + info.name(), StabilityLimit::row));
-    }
-
-    /** @return a sentence: the solvers without a limit, and those that are never stable */
-    public static String finding() {
-        List<String> free = SolverCatalog.all().stream().filter(SolverInfo::unlimited).map(SolverInfo::name).toList();
-        List<String> never = SolverCatalog.all().stream().filter(info -> info.imaginaryLimit() == 0)
-                .map(SolverInfo::name).toList();
-        return "A step has no limit with " + SolverChoice.together(free) + "; with " + SolverChoice.together(never)
-                + " an undamped spring grows in every step";
     }
 
     private static List<Object> row(SolverInfo info) {
@@ -141,7 +132,7 @@ public record StabilityLimit(double value, double growth) {
 
     /** @return the growth at 0.1 i by the theory, or NaN if it is 0 or not known */
     private static double theoreticalGrowth(SolverInfo info) {
-        return info.family().equals("multistep") ? ADAMS_GROWTH
+        return info.family() == Family.MULTISTEP ? ADAMS_GROWTH
                 : StabilityPolynomial.of(info, SMALL).amplitude(1) - 1;
     }
 }

@@ -9,8 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import particles.experiments.stability.StabilityRegion.Window;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * The stability region in a part of the complex plane, on a grid: its outline, and stripes that fill it.
@@ -62,16 +63,17 @@ public final class StabilityMap {
     }
 
     /**
+     * @param look its look
      * @param name the name in the legend
      * @return the outline |R| = 1, broken where it is in pieces
      */
-    public Series outline(String name) {
+    public Series outline(Look look, String name) {
         List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
         while (!pieces.isEmpty()) {
             draw(chain(pieces), line);
         }
-        return Series.of(name, Mark.LINE, line);
+        return Series.of(look, name, Mark.LINE, line);
     }
 
     private List<double[][]> pieces() {
@@ -85,10 +87,10 @@ public final class StabilityMap {
     }
 
     /**
-     * @param name the name in the legend
+     * @param look its look
      * @return the region where a step does not grow, as stripes from one side of the outline to the other
      */
-    public Series filled(String name) {
+    public Series filled(Look look) {
         List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
         double width = Math.min(window.cell(), window.top() / STRIPES);
@@ -104,7 +106,7 @@ public final class StabilityMap {
                 draw(List.of(new double[] {ends.get(i), y}, new double[] {ends.get(i + 1), y}), line);
             }
         }
-        return Series.of(name, Mark.BAND, line);
+        return Series.of(look, "stable", Mark.BAND, line);
     }
 
     private boolean isStableAtLeft(double y) {

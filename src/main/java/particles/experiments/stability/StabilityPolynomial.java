@@ -1,5 +1,6 @@
 package particles.experiments.stability;
 
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
 import org.hipparchus.complex.Complex;
 
@@ -18,7 +19,7 @@ public record StabilityPolynomial(Complex r) {
      * @return R(ih) of the slides' methods and of the implicit ones of order 1 and 2; NaN of others
      */
     public static StabilityPolynomial of(SolverInfo solver, double h) {
-        if (solver.adaptive() || !solver.implicit() && !solver.family().equals("slides")) {
+        if (solver.adaptive() || !solver.implicit() && solver.family() != Family.SLIDES) {
             return new StabilityPolynomial(Complex.NaN);
         }
         Complex z = new Complex(0, h);

@@ -1,15 +1,15 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Predicate;
-import particles.experiments.runs.SolverChoice;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Charts of stability regions, the part of the plane of z = deltaT lambda in which a step does not grow. The outline
@@ -31,98 +31,47 @@ public final class StabilityRegion {
     public record Window(double left, double right, double bottom, double top, double cell) {
     }
 
-    /**
-     * @param solvers the solvers
-     * @param window  the part of the plane
-     * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis; without a title
-     */
-    static ChartData outlines(List<String> solvers, Window window) {
-        return chart("", solvers.stream().map(solver -> map(solver, window).outline(solver)).toList(), window);
+    /** @return a line for each solver, broken where the outline is in pieces, and the imaginary axis */
+    static Chart outlines(List<SolverInfo> solvers, Window window) {
+        return chart(solvers.stream().map(solver -> map(solver, window).outline(Look.of(solver), solver.name()))
+                .toList(), window);
     }
 
-    /** @return the same, titled, with each region filled, darker where several solvers are stable */
-    public static ChartData filled(List<String> solvers, Window window) {
-        List<Series> regions = new ArrayList<>();
-        List<Series> outlines = new ArrayList<>();
-        for (String solver : solvers) {
-            StabilityMap map = map(solver, window);
-            regions.add(map.filled(solver + ": stable"));
-            outlines.add(map.outline(solver));
-        }
-        regions.addAll(outlines);
-        regions.add(Series.point("shaded: stable", Mark.BAND, Double.NaN, Double.NaN));
-        return chart(finding(solvers, window), regions, window);
+    private static StabilityMap map(SolverInfo solver, Window window) {
+        return new StabilityMap(Amplification.of(solver)::at, window);
     }
 
-    private static StabilityMap map(String solver, Window window) {
-        return new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window);
-    }
-
-    /**
-     * @param solver the solver
-     * @param window the part of the plane
-     * @return the region, filled, with its limits in the title
-     */
-    public static ChartData filled(String solver, Window window) {
+    /** @return the region of a solver, filled, with its stated limits below its name */
+    public static Panel filled(SolverInfo solver, Window window) {
         StabilityMap map = map(solver, window);
-        return chart(solver + ": " + limits(SolverCatalog.info(solver)),
-                List.of(map.filled("stable"), map.outline(solver)), window);
+        Look look = Look.of(solver);
+        return Panel.map(solver.name(), chart(List.of(map.filled(look), map.outline(look, solver.name())), window))
+                .named(solver.name()).answered(limits(solver));
     }
 
     /**
-     * @param finding the title
      * @param regions lines and stripes; the imaginary axis comes to them
      * @param window  the part of the plane
      * @return the chart
      */
-    public static ChartData chart(String finding, List<Series> regions, Window window) {
+    public static Chart chart(List<Series> regions, Window window) {
         List<Series> series = new ArrayList<>(regions);
-        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0},
+        series.add(new Series(Look.REFERENCE, "imaginary axis", Mark.LINE, new double[] {0, 0},
                 new double[] {window.bottom, window.top}));
-        return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
-                false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,
-                new double[] {window.left, window.right}, new double[] {window.bottom, window.top})));
+        return new Chart(Axis.linear("Re(deltaT lambda): decay to the left", ""),
+                Axis.linear("Im(deltaT lambda): oscillation", ""), series).scaledTo(List.of(new Series(Look.REFERENCE,
+                "window", Mark.LINE, new double[] {window.left, window.right},
+                new double[] {window.bottom, window.top})));
     }
 
-    /**
-     * @param solvers the solvers
-     * @param window  the part of the plane
-     * @return a sentence about undamped springs and decay, and about growth up to the window's right edge
-     */
-    public static String finding(List<String> solvers, Window window) {
-        List<String> parts = new ArrayList<>();
-        for (String solver : solvers) {
-            double limit = SolverCatalog.info(solver).imaginaryLimit();
-            if (limit > 0 && limit < Double.POSITIVE_INFINITY) {
-                parts.add(Digits.few(limit, 4) + " with " + solver);
-            }
-        }
-        List<String> never = those(solvers, info -> info.imaginaryLimit() == 0);
-        List<String> always = those(solvers, info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY
-                && info.dampedLimit() == Double.POSITIVE_INFINITY);
-        List<String> fast = those(solvers, info -> Amplification.of(info).at(window.right, 0) < 1);
-        String springs = (parts.isEmpty() ? "" : " up to deltaT omega = " + String.join(", ", parts))
-                + (never.isEmpty() ? "" : (parts.isEmpty() ? "" : ", at") + " no step with " + SolverChoice.few(never));
-        return (springs.isEmpty() ? "" : "Undamped springs are stable" + (parts.isEmpty() ? " at" : "") + springs)
-                + (always.isEmpty() ? "" : "All that decays is stable at any step with " + SolverChoice.few(always))
-                + (fast.isEmpty() ? "" : "; " + SolverChoice.few(fast) + " also make fast growth decay");
-    }
-
-    private static List<String> those(List<String> solvers, Predicate<SolverInfo> which) {
-        return solvers.stream().filter(solver -> which.test(SolverCatalog.info(solver))).toList();
-    }
-
-    /** The limits of a step, in a sentence. */
+    /** The limits of a step, in a line. */
     private static String limits(SolverInfo info) {
-        double damping = info.dampedLimit();
-        double springs = info.imaginaryLimit();
-        if (damping == Double.POSITIVE_INFINITY && springs == Double.POSITIVE_INFINITY) {
-            return "stable at any step, whatever decays or swings";
-        }
-        if (Double.isNaN(damping)) {
-            return "the first step of its table";
-        }
-        return (info.secondOrder() ? "critical damping to " : "damping to ") + Digits.few(damping, 4)
-                + (springs > 0 ? ", undamped springs to " + Digits.few(springs, 4) : "; undamped springs always grow");
+        return Double.isNaN(info.dampedLimit()) ? "the first step of its table"
+                : "stable: " + (info.secondOrder() ? "critical damping " : "damping ") + limit(info.dampedLimit())
+                + ", undamped " + limit(info.imaginaryLimit());
+    }
+
+    private static String limit(double value) {
+        return value == 0 ? "never" : value == Double.POSITIVE_INFINITY ? "always" : "to " + Digits.few(value, 4);
     }
 }

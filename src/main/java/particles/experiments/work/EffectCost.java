@@ -7,19 +7,20 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
 import particles.effects.springs.SpringForce;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
-import particles.experiments.runs.SolverChoice;
 import particles.law.Particles;
 import particles.scene.Scene;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 import particles.view.SpringView;
 
 /**
@@ -32,12 +33,9 @@ import particles.view.SpringView;
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
-    /** Measured: cohesion 9.7 times, repulsion 1.98; neither is so near that another run changes the headline. */
-    private static final int DEAR = 5;
-    private static final int NOT_DEAR = 3;
     /** Times of the same step differ by less than this factor. */
     private static final double SPREAD = 1.2;
-    /** So many bars with their names fit well on a slide; there may be more that are dear. */
+    /** So many bars with their names fit well on a slide. */
     private static final int MOST_BARS = 6;
 
     /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
@@ -53,25 +51,29 @@ public final class EffectCost {
                         structural: {stiffness: 5, damping: 0.001}, shear: {stiffness: 2, damping: 0.001}}
             """;
 
-    /** Name, and the lines that a scene has besides the cloth. */
-    private static final String ADDITIONS = """
-            springs
-            + gravity | effects: [gravity]
-            + drag | effects: [drag: {coefficient: 0.01}]
-            + quadratic drag | effects: [quadraticDrag: {coefficient: 0.01}]
-            + drag in wind | effects: [drag: {coefficient: 0.01}, wind: {mean: [1, 0, 0], gust: [0, 0, 1]}]
-            + drag in turbulence | effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]
-            + attraction | effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]
-            + cohesion | effects: [cohesion: {range: 0.06, depth: 1e-9}]
-            + repulsion | effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]
-            + penalty plane | effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]
-            + penalty sphere | effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]
-            + tear | rules: [tear: {strain: 10}]
-            + kill plane | rules: [kill: {point: [0, -100, 0]}]
-            + ground, clamp | rules: [ground: {height: -100}]
-            + ground, exact | rules: [ground: {height: -100}] | impact: exact
-            + sphere, exact | rules: [sphere: {centre: [0, -100, 0], radius: 1}] | impact: exact
-            """;
+    /** An effect or rule, and the lines that a scene has for it besides the cloth. */
+    private record Addition(String name, String yaml) {
+    }
+
+    private static final List<Addition> ADDITIONS = List.of(
+            new Addition("springs", ""),
+            new Addition("+ gravity", "effects: [gravity]"),
+            new Addition("+ drag", "effects: [drag: {coefficient: 0.01}]"),
+            new Addition("+ quadratic drag", "effects: [quadraticDrag: {coefficient: 0.01}]"),
+            new Addition("+ drag in wind",
+                    "effects: [drag: {coefficient: 0.01}, wind: {mean: [1, 0, 0], gust: [0, 0, 1]}]"),
+            new Addition("+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"),
+            new Addition("+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"),
+            new Addition("+ cohesion", "effects: [cohesion: {range: 0.06, depth: 1e-9}]"),
+            new Addition("+ repulsion", "effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]"),
+            new Addition("+ penalty plane", "effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]"),
+            new Addition("+ penalty sphere",
+                    "effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]"),
+            new Addition("+ tear", "rules: [tear: {strain: 10}]"),
+            new Addition("+ kill plane", "rules: [kill: {point: [0, -100, 0]}]"),
+            new Addition("+ ground, clamp", "rules: [ground: {height: -100}]"),
+            new Addition("+ ground, exact", "rules: [ground: {height: -100}]\nimpact: exact"),
+            new Addition("+ sphere, exact", "rules: [sphere: {centre: [0, -100, 0], radius: 1}]\nimpact: exact"));
     private static final double SPACING = 0.05;
 
     private EffectCost() {
@@ -126,8 +128,8 @@ public final class EffectCost {
                 loopOverSprings(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
             }
         })));
-        ADDITIONS.lines().map(row -> row.split(" [|] ", 2)).forEach(row -> all.add(new Variant(row[0], scene(columns,
-                steps, row.length == 1 ? "" : row[1].replace(" | ", "\n")).simulation()::run)));
+        ADDITIONS.forEach(addition -> all.add(new Variant(addition.name(),
+                scene(columns, steps, addition.yaml()).simulation()::run)));
         return all;
     }
 
@@ -185,37 +187,21 @@ public final class EffectCost {
      * @return a bar for each of the dearest, if it costs more than the spread of the measurements, in a row with its
      *         name and value, the cheapest above; one bar for all others; 1 is springs alone
      */
-    public static ChartData chart(List<Cost> costs) {
+    public static Panel panel(List<Cost> costs) {
         List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
         long dearer = costs.stream().filter(cost -> cost.overBase() > SPREAD).count();
-        int others = sorted.size() - (int) Math.max(dear(costs).size(), Math.min(MOST_BARS, dearer));
+        int others = sorted.size() - (int) Math.min(MOST_BARS, dearer);
         List<Cost> bars = new ArrayList<>(sorted.subList(others, sorted.size()));
-        if (others > 0) {
-            bars.add(0, new Cost("the other " + others + ", at most", 0, sorted.get(others - 1).overBase()));
-        }
+        bars.add(0, new Cost("the other " + others + ", at most", 0, sorted.get(others - 1).overBase()));
         List<double[]> lines = new ArrayList<>();
-        for (Cost bar : bars) {
-            double row = bars.indexOf(bar);
-            lines.addAll(List.of(new double[] {1, row}, new double[] {bar.overBase(), row},
+        for (int row = 0; row < bars.size(); row++) {
+            lines.addAll(List.of(new double[] {1, row}, new double[] {bars.get(row).overBase(), row},
                     new double[] {Double.NaN, Double.NaN}));            // the pen is lifted between bars
         }
-        return new ChartData(finding(costs), "time for a step / time with springs alone", "what the scene names", true,
-                false, List.of(Series.of("time for a step", Mark.BAND, lines))).inRows(bars.stream()
-                .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList());
-    }
-
-    private static List<String> dear(List<Cost> costs) {
-        return costs.stream().filter(cost -> cost.overBase() >= DEAR).map(Cost::name).toList();
-    }
-
-    /** Says no more than a second measurement would. */
-    private static String finding(List<Cost> costs) {
-        List<String> dear = dear(costs);
-        double rest = costs.stream().mapToDouble(Cost::overBase).filter(times -> times < DEAR).max().orElse(1);
-        String expensive = SolverChoice.all(dear.isEmpty() ? List.of("nothing") : dear,
-                "makes a step of springs more than " + DEAR + " times as long").replace("+ ", "");
-        return expensive.substring(0, 1).toUpperCase(Locale.ROOT) + expensive.substring(1) + "; all else less than "
-                + (rest * SPREAD < NOT_DEAR ? NOT_DEAR : DEAR) + " times";
+        return Panel.of("A step of cloth with one effect or rule more", List.of(new Chart(
+                Axis.log("time for a step / time with springs alone", ""), Axis.linear("what the scene names", ""),
+                List.of(Series.of(Look.OWN, "time for a step", Mark.BAND, lines))).inRows(bars.stream()
+                .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList())));
     }
 
     /** @return the time of springs alone, divided by that of the hand-written loop, in words */

@@ -8,18 +8,21 @@ import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.Spectrum;
 import particles.law.Particles;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Compares an implicit with an explicit solver on one frame (1/60 s) of a cloth of 64 x 64 particles with ever stiffer
@@ -52,8 +55,6 @@ public final class StiffCloth {
     private static final int TIMED = 400;
     /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 3;
-    /** A factor between times that another measurement would confirm. */
-    private static final double CLEARLY = 2;
     /** Newton's method is timed up to this number of RK4 steps; at 100 it does not converge. */
     private static final long NEWTON = 10;
 
@@ -137,29 +138,22 @@ public final class StiffCloth {
 
     /**
      * @param rows the costs, the softest cloth first
-     * @return a sentence: the stiffness up to which RK4 is always clearly cheaper, and from which the implicit step is
+     * @return the time of a frame against the number of steps that RK4 needs, and the ratio of the times
      */
-    public static String finding(List<Row> rows) {
-        List<String> parts = new ArrayList<>();
-        rows.stream().takeWhile(row -> CLEARLY * row.rk4() < row.linearised()).mapToLong(Row::rk4Steps).max()
-                .ifPresent(most -> parts.add("rk4 takes less than half the time up to " + most + " steps"));
-        List<Row> stiffest = new ArrayList<>(rows);
-        Collections.reverse(stiffest);
-        stiffest.stream().takeWhile(row -> row.rk4() > CLEARLY * row.linearised()).mapToLong(Row::rk4Steps).min()
-                .ifPresent(least -> parts.add("linearised-euler " + (parts.isEmpty() ? "takes less than half the time "
-                        : "") + "from " + least + " on"));
-        return "One frame of stiff cloth: " + (parts.isEmpty() ? "rk4 is not clearly faster on the softest, nor"
-                + " linearised-euler on the stiffest" : String.join(", ", parts));
+    public static Panel panel(List<Row> rows) {
+        Row softest = rows.get(0);
+        Row stiffest = rows.get(rows.size() - 1);
+        Axis seconds = Axis.log("CPU time of a frame", "s");
+        return Panel.of("One frame of stiff cloth", List.of(new Chart(Axis.log("steps of rk4 that a frame needs", ""),
+                seconds, List.of(line(SolverChoice.RK4, rows, Row::rk4).ending(seconds),
+                line(SolverChoice.of("linearised-euler"), rows, Row::linearised).ending(seconds)))))
+                .answered(Digits.format("time of rk4 / linearised-euler: %s at %d steps, %s at %d",
+                        Digits.few(softest.rk4() / softest.linearised(), 2), softest.rk4Steps(),
+                        Digits.few(stiffest.rk4() / stiffest.linearised(), 2), stiffest.rk4Steps()));
     }
 
-    /**
-     * @param rows the costs, the softest cloth first
-     * @return the time of a frame against the number of steps that RK4 needs
-     */
-    public static ChartData chart(List<Row> rows) {
-        return new ChartData(finding(rows), "steps of rk4 that a frame needs", "CPU time of a frame (s)", true, true,
-                List.of(Series.of("rk4", Mark.LINE_AND_POINTS, rows, Row::rk4Steps, Row::rk4),
-                        Series.of("linearised-euler", Mark.LINE_AND_POINTS, rows, Row::rk4Steps, Row::linearised)));
+    private static Series line(SolverChoice solver, List<Row> rows, ToDoubleFunction<Row> time) {
+        return Series.of(solver.look(), solver.label(), Mark.LINE_AND_POINTS, rows, Row::rk4Steps, time);
     }
 
     /**

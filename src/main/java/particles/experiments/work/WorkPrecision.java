@@ -3,6 +3,7 @@ package particles.experiments.work;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
@@ -15,6 +16,7 @@ import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Point;
+import particles.view.Look;
 
 /**
  * Work-precision experiment: solves a problem with ever shorter steps or tighter tolerances, and measures the error
@@ -94,6 +96,11 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
             return solver.label();
         }
 
+        /** @return the solver's look in charts */
+        Look look() {
+            return solver.look();
+        }
+
         /** @return the same runs, with the times of another round */
         public Curve timedAgain() {
             WorkPrecision work = new WorkPrecision(problem, solver);
@@ -133,7 +140,7 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
 
     /** The theoretical slope; an extrapolation method has none, since it varies its order. */
     private double expected() {
-        double order = solver.info().filter(info -> info.family().equals("extrapolation")).isPresent() ? Double.NaN
+        double order = solver.info().filter(info -> info.family() == Family.EXTRAPOLATION).isPresent() ? Double.NaN
                 : solver.order();
         return problem.stiff().map(stiff -> stiff.reduced().getOrDefault(solver.name(), order)).orElse(order);
     }

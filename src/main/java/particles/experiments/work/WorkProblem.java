@@ -19,6 +19,7 @@ import particles.experiments.runs.SceneRun;
 import particles.experiments.work.WorkProblem.Budget;
 import particles.experiments.work.WorkProblem.Stiff;
 import particles.law.Vector3;
+import particles.view.Axis;
 
 /**
  * A test problem of the work-precision experiment.
@@ -100,9 +101,10 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
                 : ((ReferenceProblem) source).getEvaluations();
     }
 
-    /** @return the kind of error, with its unit */
-    String errorLabel() {
-        return onlyPositions ? "largest position error at the end (m)" : "error of the state at the end (1)";
+    /** @return the axis of the error */
+    Axis errorAxis() {
+        return onlyPositions ? Axis.log("largest position error at the end", "m")
+                : Axis.log("error of the state at the end", "");
     }
 
     /**

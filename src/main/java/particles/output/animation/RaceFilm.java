@@ -18,7 +18,6 @@ import java.util.zip.DeflaterInputStream;
 import java.util.zip.InflaterInputStream;
 import particles.Observer;
 import particles.output.charts.ChartPage;
-import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameObserver;
@@ -26,7 +25,8 @@ import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.Pipeline;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Look;
 
 /**
  * The film of a race: the runs of several solvers beside each other, each over the translucent ghost of the reference,
@@ -59,21 +59,22 @@ public final class RaceFilm implements AutoCloseable {
      * The text above all panels.
      *
      * @param title   the scene, and the kind of equal work
-     * @param finding the winner
      * @param ghost   the description of the ghost
      * @param words   the text beside each run, in the order of {@link #watch}
      */
-    public record Head(String title, String finding, String ghost, List<Words> words) {
+    public record Head(String title, String ghost, List<Words> words) {
     }
 
     /**
      * The text beside a run.
      *
-     * @param name    the solver's, with which {@link #watch} was called
+     * @param name    the solver's
+     * @param look    its look in the chart
+     * @param answer  the number that stands beside its name
      * @param text    its step or tolerance, and the cost of its run
      * @param left    the time at which the run ended early (s)
      */
-    public record Words(String name, String text, OptionalDouble left) {
+    public record Words(String name, Look look, String answer, String text, OptionalDouble left) {
     }
 
     /**
@@ -97,12 +98,12 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param solver the name of the solver; none for the reference, whose run is the first
+     * @param solver the look of the solver; none for the reference, whose run is the first
      * @param stage  the frame settings of the run, in the scene's own colours
      * @return the observer that records the run
      */
-    public Observer watch(Optional<String> solver, FrameSetup stage) {
-        int colour = solver.map(name -> SolverStyle.orGrey(name).rgb()).orElse(GREY);
+    public Observer watch(Optional<Look> solver, FrameSetup stage) {
+        int colour = solver.map(Look::rgb).orElse(GREY);
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
         PanelFilm film = new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate);
         films.add(film);
@@ -117,7 +118,7 @@ public final class RaceFilm implements AutoCloseable {
      * @param strip    the data of the chart, with a line of each run's name
      * @param progress receives the progress
      */
-    public void write(OutputFolder folder, Head head, ChartData strip, DoubleConsumer progress) {
+    public void write(OutputFolder folder, Head head, Chart strip, DoubleConsumer progress) {
         close();
         PanelFilm ghost = films.get(0);
         int[] backdrop = ghost.renderer.renderBackdrop();
@@ -147,7 +148,7 @@ public final class RaceFilm implements AutoCloseable {
      * @param strip the data of the chart
      * @return a page with the end of the film, to be drawn when that is written
      */
-    public ChartPage sheet(Head head, ChartData strip) {
+    public ChartPage sheet(Head head, Chart strip) {
         PanelFilm ghost = films.get(0);
         int last = ghost.packed.size() - 1;
         List<BufferedImage> panels = panels(last, ghost.renderer.renderBackdrop());

@@ -15,7 +15,6 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import particles.output.charts.ChartStyle;
-import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.FontCheck;
 
@@ -48,7 +47,7 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     private static final Color GONE = new Color(255, 255, 255, 120);
     private static final Font TITLE = FontCheck.font(Font.BOLD, 17);
     private static final Font CLOCK = FontCheck.font(Font.PLAIN, 17);
-    private static final Font FINDING = FontCheck.font(Font.PLAIN, 14);
+    private static final Font NOTE = FontCheck.font(Font.PLAIN, 14);
     private static final Font SMALL = FontCheck.font(Font.PLAIN, 12);
     private static final Font NAME = FontCheck.font(Font.BOLD, 13);
 
@@ -113,12 +112,10 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        // the equal budget, with room for the clock, and below it the winner and the ghost
         g.setColor(ChartStyle.TEXT);
         drawFitting(g, TITLE, head.title(), GAP, 24, WIDTH - CLOCK_WIDTH - 2 * GAP);
-        drawFitting(g, FINDING, head.finding(), GAP, 45, WIDTH - 2 * GAP);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, head.ghost(), GAP, 63, WIDTH - 2 * GAP);
+        drawFitting(g, NOTE, head.ghost(), GAP, 50, WIDTH - 2 * GAP);
         g.setFont(CLOCK);
         g.setColor(ChartStyle.TEXT);
         g.drawString(String.format(Locale.ROOT, "t = %.2f s", time),
@@ -151,15 +148,14 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
 
     /** Draws the label of a panel: the solver's line, as in the chart, and its name; below, its step and its work. */
     private void drawLabel(Graphics2D g, RaceFilm.Words words, int x, int y) {
-        SolverStyle look = SolverStyle.orGrey(words.name());
-        g.setColor(look.colour());
-        g.setStroke(look.stroke());
+        g.setColor(new Color(words.look().rgb()));
+        g.setStroke(ChartStyle.stroke(words.look().variant()));
         g.draw(new Line2D.Double(x + 2, y + 12, x + 34, y + 12));
         g.translate(x + 18, y + 12);
-        g.fill(look.shape());
+        g.fill(ChartStyle.shape(words.look().variant()));
         g.translate(-x - 18, -y - 12);
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, NAME, words.name(), x + 40, y + 17, pitch(columns) - GAP - 40);
+        drawFitting(g, NAME, words.name() + "  " + words.answer(), x + 40, y + 17, pitch(columns) - GAP - 40);
         g.setColor(ChartStyle.AXIS);
         drawFitting(g, SMALL, words.text(), x + 2, y + 32, pitch(columns) - GAP - 2);
     }

@@ -1,28 +1,29 @@
 package particles.output.charts;
 
+import java.util.List;
 import org.jfree.data.xy.DefaultXYDataset;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
+import particles.view.Series;
 
 /**
- * Adapter of chart data to JFreeChart. A point that cannot be drawn, since it is not finite or not positive on a
+ * Adapter of series to JFreeChart. A point that cannot be drawn, since it is not finite or not positive on a
  * logarithmic axis, is a gap in its line.
  */
 final class ChartDataset extends DefaultXYDataset {
     private static final long serialVersionUID = 1L;
 
-    private final transient ChartData data;
+    private final transient List<Series> series;
 
-    /** The legend takes names from the series; keys only have to differ. */
-    ChartDataset(ChartData data) {
-        this.data = data;
-        for (int k = 0; k < data.series().size(); k++) {
-            Series series = data.series().get(k);
-            double[][] points = {series.x().clone(), series.y().clone()};
-            for (int p = 0; p < Math.min(points[0].length, points[1].length); p++) {
-                double x = series.x()[p];
-                double y = series.y()[p];
-                if (!Double.isFinite(x) || !Double.isFinite(y) || x <= 0 && data.xLog() || y <= 0 && data.yLog()) {
+    /** Keys only have to differ: the legend takes names from the series. */
+    ChartDataset(Chart chart, List<Series> series) {
+        this.series = series;
+        for (int k = 0; k < series.size(); k++) {
+            double[][] points = {series.get(k).x().clone(), series.get(k).y().clone()};
+            for (int p = 0; p < points[0].length; p++) {
+                double x = points[0][p];
+                double y = points[1][p];
+                if (!Double.isFinite(x) || !Double.isFinite(y) || x <= 0 && chart.x().log()
+                        || y <= 0 && chart.y().log()) {
                     points[0][p] = Double.NaN;
                     points[1][p] = Double.NaN;
                 }
@@ -31,14 +32,14 @@ final class ChartDataset extends DefaultXYDataset {
         }
     }
 
-    String name(int series) {
-        return data.series().get(series).name();
+    Series series(int k) {
+        return series.get(k);
     }
 
     /** @return the last point of a series that can be drawn; -1 if there is none */
-    int last(int series) {
-        int item = getItemCount(series) - 1;
-        while (item >= 0 && Double.isNaN(getXValue(series, item))) {
+    int last(int k) {
+        int item = getItemCount(k) - 1;
+        while (item >= 0 && Double.isNaN(getXValue(k, item))) {
             item--;
         }
         return item;

@@ -15,8 +15,6 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
     private static final int LIGHTEST = 0xff;
     /** The weighted mean of red, green and blue with which all lines have a contrast of 3 to 1 on black. */
     private static final double BRIGHT = 105;
-    private static final int CURVES = 6;
-    private static final int CURVES_ON_A_SLIDE = 5;
     /** The type keeps its size in the layout: a smaller page with more device pixels has larger type. */
     static final int SLIDE_WIDTH = 640;
     static final int SLIDE_HEIGHT = 360;
@@ -48,11 +46,6 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
         double dim = BRIGHT - (0.299 * red + 0.587 * green + 0.114 * blue + lighter);      // weights of ITU-R BT.601
         lighter += (int) Math.max(0, Math.min(Math.min(most - least, least), dim));
         return rgb + lighter * 0x010101;
-    }
-
-    /** @return the largest number of solvers in one panel */
-    public int mostCurves() {
-        return slide ? CURVES_ON_A_SLIDE : CURVES;
     }
 
     /** @return the width of the layout of a page that is this wide without a format */

@@ -2,9 +2,11 @@ package particles.output.charts;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
-import java.util.List;
 import java.util.function.Consumer;
-import particles.view.ChartData;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleEdge;
+import particles.view.Panel;
 
 /**
  * A page to be drawn.
@@ -27,15 +29,17 @@ public record ChartPage(int width, int height, boolean showsScene, Consumer<Grap
      * @return a page with one chart, or charts above each other
      */
     public static ChartPage of(Panel panel, ChartFormat format) {
-        FittedChart chart = Charts.of(panel);
-        List<ChartData> charts = panel.charts();
-        int rows = charts.stream().mapToInt(data -> data.rows().size()).max().orElse(0);
-        long ofQuantities = charts.stream().filter(data -> data.rows().isEmpty()).count();
-        if (chart.hasEqualUnits() && format.slide()) {
-            chart.setLegendBeside();
+        JFreeChart chart = Charts.of(panel, ChartStyle.TITLE, false);
+        boolean round = Charts.plots(chart).stream().allMatch(ChartPlot::isRound);
+        LegendTitle legend = Charts.legend(Charts.plots(chart));
+        if (!Charts.isEmpty(legend)) {
+            chart.addLegend(legend);                    // below a round chart on a wide page it would make that small
+            legend.setPosition(round && format.slide() ? RectangleEdge.RIGHT : RectangleEdge.BOTTOM);
         }
-        int width = format.width(chart.hasEqualUnits() ? SQUARE_WIDTH : WIDTH);
-        int height = format.height(chart.hasEqualUnits() ? SQUARE_HEIGHT
+        int rows = panel.charts().stream().mapToInt(data -> data.rows().size()).max().orElse(0);
+        long ofQuantities = panel.charts().stream().filter(data -> data.rows().isEmpty()).count();
+        int width = format.width(round ? SQUARE_WIDTH : WIDTH);
+        int height = format.height(round ? SQUARE_HEIGHT
                 : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
         return new ChartPage(width, height, false,
                 g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));

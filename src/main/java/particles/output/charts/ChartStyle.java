@@ -3,23 +3,17 @@ package particles.output.charts;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import java.util.ArrayList;
 import java.util.List;
 import org.jfree.chart.util.ShapeUtils;
 import particles.output.files.FontCheck;
 
-/**
- * The common style of all charts: on white, for print and screen; lines differ in colour and dashes, points in colour
- * and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which are distinct for
- * people with any kind of colour vision; their yellow is left out, since it is too pale on white.
- */
+/** The common style of all charts: on white, for print and screen; lines differ in colour and dashes. */
 public final class ChartStyle {
     /** The colour of text. */
     public static final Color TEXT = new Color(0x222222);
@@ -49,8 +43,6 @@ public final class ChartStyle {
     /** A sample of a line in the legend, long enough to show its dashes. */
     static final Shape LEGEND_LINE = new Line2D.Double(-17, 0, 17, 0);
 
-    private static final List<Color> COLOURS = List.of(new Color(0x000000), new Color(0x0072b2), new Color(0xd55e00),
-            new Color(0x009e73), new Color(0xcc79a7), new Color(0xe69f00), new Color(0x56b4e9));
     private static final List<float[]> DASHES = List.of(new float[0], new float[] {7, 3}, new float[] {2, 2.5f},
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
     /** The number of kinds of dashes. */
@@ -65,43 +57,7 @@ public final class ChartStyle {
     /** The mark of a run that was given up: a ring. */
     static final Shape GIVEN_UP = ring(4.2, 2.2);
 
-    /** Lines are made narrower by this factor as long as they do not get more. */
-    private static final double BALANCE = 0.96;
-
     private ChartStyle() {
-    }
-
-    /**
-     * @return the text in lines of at most this width, if its words are not wider; a number stays with its unit and
-     *         its name, and lines are about equally long
-     */
-    static List<String> wrapped(String text, FontMetrics metrics, double width) {
-        List<String> lines = filled(text, metrics, width);
-        double narrow = width;
-        for (List<String> next = lines; next.size() == lines.size() && narrow > width / 2; narrow *= BALANCE) {
-            lines = next;
-            next = filled(text, metrics, narrow * BALANCE);
-        }
-        return lines;
-    }
-
-    private static List<String> filled(String text, FontMetrics metrics, double width) {
-        List<String> lines = new ArrayList<>();
-        for (String word : text.replaceAll("(?<=\\d) (?=(%|[A-Za-z]{1,2})(\\W|$))| (?==)|(?<==) ", "\u00a0")
-                .split(" ")) {
-            int last = lines.size() - 1;
-            if (last >= 0 && metrics.stringWidth(lines.get(last) + " " + word) <= width) {
-                lines.set(last, lines.get(last) + " " + word);
-            } else {
-                lines.add(word);
-            }
-        }
-        return lines;
-    }
-
-    /** @return the colour of a chart's k-th series */
-    static Color colour(int k) {
-        return COLOURS.get(k % COLOURS.size());
     }
 
     /** @return the same colour, translucent */
@@ -109,16 +65,16 @@ public final class ChartStyle {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 90);
     }
 
-    /** @return the line of the k-th series; with seven colours and six dashes, 42 series differ */
-    static Stroke stroke(int k) {
+    /** @return the line of a look's variant */
+    public static Stroke stroke(int k) {
         float[] dashes = DASHES.get(k % DASHES.size());
         float width = k == 0 ? 1.6f : 1.9f;
         return dashes.length == 0 ? new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
                 : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
-    /** @return the points of the k-th series */
-    static Shape shape(int k) {
+    /** @return the points of a look's variant */
+    public static Shape shape(int k) {
         return SHAPES.get(k % SHAPES.size());
     }
 

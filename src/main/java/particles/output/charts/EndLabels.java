@@ -2,7 +2,6 @@ package particles.output.charts;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
@@ -10,26 +9,24 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleEdge;
+import particles.view.Series;
 
 /**
- * Labels of a chart's lines, so that nobody has to look up a colour in a legend: beside the chart, where they cover
- * nothing, at the height of the end of their line.
+ * Names of a chart's lines with their numbers, so that nobody has to look up a colour in a legend: beside the chart,
+ * where they cover nothing, at the height of the end of their line.
  */
 final class EndLabels {
-    /** A longer name is in the legend. */
-    private static final int LONGEST = 34;
     /** A thin line leads to the name of a line that ends in this part of the chart's width, at the right. */
     private static final double EDGE = 0.12;
     private static final double LEADER = 9;
     private static final double SAMPLE = 20;
     private static final double GAP = 5;
+    private static final double LINE = 15;
     /** Enough to place 14 names, which need some 100, to a hundredth of a pixel. */
     private static final int ROUNDS = 1000;
     private static final BasicStroke THIN = new BasicStroke(0.8f);
@@ -40,42 +37,34 @@ final class EndLabels {
     /** The series that are named. */
     final List<Integer> labelled = new ArrayList<>();
 
-    EndLabels(XYPlot plot) {
+    /** @param named whether lines are named here, and not in the legend */
+    EndLabels(XYPlot plot, boolean named) {
         this.plot = plot;
         renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         data = (ChartDataset) plot.getDataset();
-        List<Integer> lines = new ArrayList<>();
-        Set<String> names = new HashSet<>();
-        for (int k = 0; k < data.getSeriesCount(); k++) {
-            boolean line = renderer.getItemLineVisible(k, 0) && renderer.lookupSeriesStroke(k) != ChartStyle.BAR;
-            if (line && data.last(k) >= 0 && data.name(k).length() <= LONGEST && names.add(data.name(k))) {
-                lines.add(k);
+        for (int k = 0; named && k < data.getSeriesCount(); k++) {
+            if (data.series(k).mark().isCurve() && data.last(k) >= 0) {
+                labelled.add(k);
             }
-        }
-        if (lines.size() > 1 || lines.stream().anyMatch(k -> SolverStyle.of(data.name(k)).isPresent())) {
-            labelled.addAll(lines);
         }
     }
 
-    /** @return the names that are in the chart, and need no legend */
-    List<String> names() {
-        return labelled.stream().map(data::name).toList();
+    private String text(int k) {
+        Series series = data.series(k);
+        return (series.name() + "  " + series.end()).strip();
     }
 
     /** @return the room that they need at the right of the chart, in pixels of the layout */
-    double width(Graphics2D g) {
-        FontMetrics metrics = g.getFontMetrics(ChartStyle.LABEL);
-        return labelled.isEmpty() ? 0
-                : LEADER + SAMPLE + 2 * GAP + names().stream().mapToInt(metrics::stringWidth).max().orElse(0);
+    double width() {
+        return labelled.stream().mapToDouble(k -> LEADER + SAMPLE + 2 * GAP + Axes.width(ChartStyle.LABEL, text(k)))
+                .max().orElse(0);
     }
 
     /** @param area the rectangle of the chart's points */
     void draw(Graphics2D g, Rectangle2D area) {
-        g.setFont(ChartStyle.LABEL);
-        double line = g.getFontMetrics().getHeight() - 1;
         List<Integer> sorted = labelled.stream().sorted(Comparator.comparingDouble(k -> end(k, area).getY())).toList();
         double[] wanted = sorted.stream().mapToDouble(k -> end(k, area).getY()).toArray();
-        double[] places = spread(wanted, line, area.getMinY() + line / 2, area.getMaxY() - line / 2);
+        double[] places = spread(wanted, LINE, area.getMinY() + LINE / 2, area.getMaxY() - LINE / 2);
         for (int n = 0; n < places.length; n++) {
             draw(g, sorted.get(n), area, places[n]);
         }
@@ -99,8 +88,9 @@ final class EndLabels {
                     .createTransformedShape(renderer.lookupSeriesShape(k)));
         }
         g.setPaint(ChartStyle.TEXT);
+        g.setFont(ChartStyle.LABEL);
         double middle = (g.getFontMetrics().getAscent() - g.getFontMetrics().getDescent()) / 2.0;
-        g.drawString(data.name(k), (float) (x + SAMPLE + GAP), (float) (place + middle));
+        g.drawString(text(k), (float) (x + SAMPLE + GAP), (float) (place + middle));
     }
 
     /** The end of a line, or where it leaves the chart. */

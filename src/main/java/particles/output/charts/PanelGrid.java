@@ -1,81 +1,36 @@
 package particles.output.charts;
 
 import java.awt.Color;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
+import org.jfree.chart.JFreeChart;
 import org.jfree.chart.block.RectangleConstraint;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
-import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.title.TextTitle;
+import org.jfree.chart.title.Title;
 import org.jfree.chart.ui.Size2D;
 import org.jfree.data.Range;
+import particles.view.Panel;
 
-/** Small multiples: charts in a grid, under one title; the legend is in a free cell, or below. */
+/** Small multiples: charts in a grid, under one title; the legend is below. */
 public final class PanelGrid {
     private static final int CELL = 360;
     private static final int CHART_CELL = 500;
     /** With two columns there is room for the names of rows and of lines, too. */
     private static final int WIDE_CELL = 720;
     private static final int LEAST_WIDTH = 1100;
-    /** The height of a chart above rows. */
-    private static final int MAIN = 250;
     private static final double TALL = 1.5;
     /** Taller maps are narrower than their cells. */
     private static final double TALLEST_SHAPE = 2.4;
     private static final double AXES = 0.85;
     private static final double HEIGHT_OF_WIDTH = 0.6;
-    private static final int LINE = 21;
     private static final int MARGIN = 10;
     private static final int TALLEST = 400;
-    private static final int TRIALS = 8;
 
-    private final String title;
-    private final int columns;
-    private final List<FittedChart> charts;
-    private final LegendTitle legend;
-    private final int width;
-    private final double cellWidth;
-    /** The tops of the rows below the title, and the bottom of the last one. */
-    private final double[] tops;
-    private final boolean legendInCell;
-    private final boolean compared;
-
-    /**
-     * @param title  the title over all panels
-     * @param panels the panels, row by row
-     */
-    public PanelGrid(String title, List<Panel> panels) {
-        this.title = title;
-        charts = panels.stream().map(panel -> Charts.of(panel, MAIN)).toList();
-        legend = ChartLegend.of(charts.stream().flatMap(chart -> FittedChart.subplots(chart.getXYPlot()).stream())
-                .sorted(Comparator.comparing((XYPlot plot) -> -plot.getDataset().getSeriesCount())).toList(),
-                charts.stream().flatMap(chart -> chart.labelledNames().stream()).toList(), true);
-        for (FittedChart chart : charts) {
-            chart.removeLegend();
-            chart.getTitle().setFont(ChartStyle.PANEL);
-            chart.setPadding(new RectangleInsets(4, 4, 4, 8));
-        }
-        boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
-        double shape = round ? Math.min(TALLEST_SHAPE, shape(charts.get(0).getXYPlot())) : 1;
-        compared = panels.stream().allMatch(panel ->
-                panel.charts().get(0).scale().equals(panels.get(0).charts().get(0).scale()));
-        columns = shape > TALL ? panels.size() : columns(panels.size());
-        int rows = (charts.size() + columns - 1) / columns;
-        width = Math.max(LEAST_WIDTH, columns * (round ? CELL : columns > 2 ? CHART_CELL : WIDE_CELL));
-        cellWidth = (width - 2.0 * MARGIN) / columns;
-        double cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth;
-        tops = new double[rows + 1];
-        for (int row = 0; row < rows; row++) {
-            int tallest = panels.stream().skip((long) row * columns).limit(columns)
-                    .flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size()).max().orElse(0);
-            tops[row + 1] = tops[row] + cellHeight + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
-        }
-        legendInCell = rows * columns > charts.size();
+    private PanelGrid() {
     }
 
     /** @return the number of panels in a row; rows are full if possible */
@@ -88,59 +43,54 @@ public final class PanelGrid {
         return map.getRangeAxis().getRange().getLength() / map.getDomainAxis().getRange().getLength();
     }
 
-    /** Pads charts on the same axes until their frames are equal: text around them takes different room. */
-    private void alignPanels(Graphics2D g) {
-        for (int trial = 0; trial < TRIALS; trial++) {
-            List<Rectangle2D> frames = IntStream.range(0, charts.size()).mapToObj(k -> charts.get(k).frame(g,
-                    new Rectangle2D.Double(0, 0, cellWidth, height(k / columns)))).toList();
-            Rectangle2D common = frames.stream().reduce(Rectangle2D::createIntersection).orElseThrow();
-            for (int k = 0; k < charts.size(); k++) {
-                RectangleInsets padding = charts.get(k).getPadding();
-                Rectangle2D frame = frames.get(k);
-                charts.get(k).setPadding(new RectangleInsets(padding.getTop() + common.getMinY() - frame.getMinY(),
-                        padding.getLeft() + common.getMinX() - frame.getMinX(),
-                        padding.getBottom() + frame.getMaxY() - common.getMaxY(),
-                        padding.getRight() + frame.getMaxX() - common.getMaxX()));
-            }
-        }
-    }
-
-    private double height(int row) {
-        return tops[row + 1] - tops[row];
-    }
-
-    /** @return the page with all panels */
-    public ChartPage page() {
+    /**
+     * @param title  the title over all panels
+     * @param panels the panels, row by row
+     * @return the page
+     */
+    public static ChartPage page(String title, List<Panel> panels) {
+        List<JFreeChart> charts = panels.stream().map(panel -> Charts.of(panel, ChartStyle.PANEL, true)).toList();
+        List<ChartPlot> plots = charts.stream().flatMap(chart -> Charts.plots(chart).stream()).toList();
+        double left = plots.stream().mapToDouble(plot -> plot.getRoom().getLeft()).max().orElse(0);
+        double right = plots.stream().mapToDouble(plot -> plot.getRoom().getRight()).max().orElse(0);
+        plots.forEach(plot -> plot.setRoom(left, right));       // so that frames are of one size
+        boolean round = plots.stream().allMatch(ChartPlot::isRound);
+        double shape = round ? Math.min(TALLEST_SHAPE, shape(plots.get(0))) : 1;
+        int columns = shape > TALL ? panels.size() : columns(panels.size());
+        int width = Math.max(LEAST_WIDTH, columns * (round ? CELL : columns > 2 ? CHART_CELL : WIDE_CELL));
+        double cell = (width - 2.0 * MARGIN) / columns;
         Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
-        List<String> lines = ChartStyle.wrapped(title, trial.getFontMetrics(ChartStyle.TITLE), width - 4.0 * MARGIN);
-        if (compared) {
-            alignPanels(trial);
-        }
-        Size2D size = legend.arrange(trial, new RectangleConstraint(new Range(0, legendInCell
-                ? cellWidth : width - 2.0 * MARGIN), new Range(0, TALLEST)));
+        RectangleConstraint room = new RectangleConstraint(new Range(0, width - 2.0 * MARGIN), new Range(0, TALLEST));
+        TextTitle heading = new TextTitle(title, ChartStyle.TITLE);
+        heading.setPaint(ChartStyle.TEXT);
+        Size2D head = heading.arrange(trial, room);
+        LegendTitle legend = Charts.legend(plots);
+        Size2D foot = legend.arrange(trial, room);
         trial.dispose();
-        double head = LINE * (lines.size() + 1);
-        int last = tops.length - 2;
-        double bottom = head + tops[last + 1];
-        int height = (int) Math.ceil(bottom + (legendInCell ? 0 : size.height) + MARGIN);
+        int rows = (panels.size() + columns - 1) / columns;
+        double[] tops = new double[rows + 1];
+        tops[0] = head.height + 2 * MARGIN;
+        for (int row = 0; row < rows; row++) {
+            int tallest = panels.stream().skip((long) row * columns).limit(columns)
+                    .flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size()).max().orElse(0);
+            tops[row + 1] = tops[row] + cell * (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH)
+                    + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+        }
+        int height = (int) Math.ceil(tops[rows] + (Charts.isEmpty(legend) ? 0 : foot.height) + MARGIN);
         return new ChartPage(width, height, false, g -> {
             g.setColor(Color.WHITE);
             g.fill(new Rectangle2D.Double(0, 0, width, height));
-            g.setColor(ChartStyle.TEXT);
-            g.setFont(ChartStyle.TITLE);
-            FontMetrics metrics = g.getFontMetrics();
-            for (int k = 0; k < lines.size(); k++) {
-                g.drawString(lines.get(k), (float) (width - metrics.getStringBounds(lines.get(k), g).getWidth()) / 2,
-                        (k + 1.2f) * LINE);
-            }
+            draw(heading, g, head, width, MARGIN);
             for (int k = 0; k < charts.size(); k++) {
-                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cellWidth,
-                        head + tops[k / columns], cellWidth, height(k / columns)));
+                int row = k / columns;
+                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cell, tops[row], cell,
+                        tops[row + 1] - tops[row]));
             }
-            double left = legendInCell ? MARGIN + (columns - 1) * cellWidth + (cellWidth - size.width) / 2
-                    : (width - size.width) / 2;
-            double top = legendInCell ? head + (tops[last] + tops[last + 1] - size.height) / 2 : bottom;
-            legend.draw(g, new Rectangle2D.Double(left, top, size.width, size.height));
+            draw(legend, g, foot, width, tops[rows]);
         });
+    }
+
+    private static void draw(Title title, Graphics2D g, Size2D size, double width, double top) {
+        title.draw(g, new Rectangle2D.Double((width - size.width) / 2, top, size.width, size.height));
     }
 }

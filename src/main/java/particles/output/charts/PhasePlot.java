@@ -3,16 +3,12 @@ package particles.output.charts;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Shape;
-import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
-import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import org.jfree.chart.annotations.AbstractXYAnnotation;
 import org.jfree.chart.annotations.XYAnnotation;
@@ -23,10 +19,11 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
-import particles.view.ChartData.VectorField;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
+import particles.view.VectorField;
 
 /**
  * A phase portrait: a path in state space, in the solver's colour, with arrow heads that show its direction, marks at
@@ -36,55 +33,36 @@ import particles.view.ChartData.VectorField;
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
     private static final double PATH_HEAD = 11;
-    private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
     /** The positions of arrow heads along the path's states; early ones show the first turn. */
     private static final double[] HEADS = {0.03, 0.3, 0.6};
+    private static final int TICKS = 8;
 
     private PhasePlot() {
     }
 
-    static FittedChart of(ChartData data, Optional<VectorField> field) {
-        XYPlot plot = Charts.plot(data, 0);
+    static ChartPlot of(Panel panel) {
+        ChartPlot plot = new ChartPlot(panel.charts().get(0), Panel.Kind.PHASE, TICKS, TICKS);
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
-        int path = path(data);
-        Series states = data.series().get(path);
-        boolean dense = SeriesRenderer.isDense(states.x()) || SeriesRenderer.isDense(states.y());
-        Color colour = SolverStyle.of(states.name()).map(SolverStyle::colour).orElse(ChartStyle.colour(1));
-        for (int k = 0; k < data.series().size(); k++) {
-            Mark mark = data.series().get(k).mark();
-            boolean open = mark == Mark.OPEN_POINTS;
-            if (k != path && mark != Mark.BAND && mark != Mark.FAILURES) {
-                renderer.setSeriesPaint(k, ChartStyle.AXIS);        // colours are the solvers'
-                renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.AXIS);
-                renderer.setSeriesOutlinePaint(k, open ? ChartStyle.AXIS : Color.WHITE);
-                renderer.setSeriesShape(k, LARGE.createTransformedShape(mark(data.series().get(k).name(), k)));
+        ChartDataset data = (ChartDataset) plot.getDataset();
+        for (int k = 0; k < data.getSeriesCount(); k++) {
+            Series series = data.series(k);
+            if (series.look().equals(Look.MARK) || series.look().equals(Look.MARK.variant(1))) {
+                renderer.setSeriesShape(k, LARGE.createTransformedShape(renderer.lookupSeriesShape(k)));
+            } else if (!series.look().equals(Look.REFERENCE) && series.mark() != Mark.FAILURES) {
+                renderer.setSeriesShape(k, ChartStyle.disc(2.2));
+                if (renderer.lookupSeriesStroke(k) != ChartStyle.THIN) {
+                    renderer.setSeriesStroke(k, ChartStyle.stroke(0));
+                }
+                addHeads(renderer, series, new Color(series.look().rgb()));
             }
         }
-        renderer.setSeriesPaint(path, dense ? ChartStyle.pale(colour) : colour);
-        renderer.setSeriesFillPaint(path, colour);
-        renderer.setSeriesStroke(path, dense ? ChartStyle.THIN : PATH);
-        renderer.setSeriesShape(path, ChartStyle.disc(2.2));
-        field.ifPresent(f -> addField(plot, renderer, f));
-        addHeads(renderer, states, colour);
-        return Charts.finished(data.title(), plot, Panel.Kind.PHASE);
-    }
-
-    /** The first series of a solver, or else the first one that is not the band of a reference. */
-    private static int path(ChartData data) {
-        List<Series> all = data.series();
-        return IntStream.range(0, all.size()).filter(k -> SolverStyle.of(all.get(k).name()).isPresent()).findFirst()
-                .orElseGet(() -> IntStream.range(0, all.size()).filter(k -> all.get(k).mark() != Mark.BAND)
-                        .findFirst().orElse(0));
-    }
-
-    /** The mark of a start or end, the same in all plots. */
-    private static Shape mark(String name, int k) {
-        return ChartStyle.shape(name.startsWith("start") ? 1 : name.endsWith("end") ? 2 : 2 + k % 2);
+        panel.field().ifPresent(field -> addField(plot, renderer, field));
+        return plot;
     }
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
-    private static void addField(XYPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
+    private static void addField(ChartPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
         double time = Double.POSITIVE_INFINITY;
         double cellX = spacing(field.x());
         double cellV = spacing(field.v());
@@ -100,6 +78,7 @@ final class PhasePlot {
         }
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
         show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
+        plot.setRanges();
     }
 
     /** The smallest distance between two different grid lines. */
@@ -112,6 +91,7 @@ final class PhasePlot {
     private static void show(NumberAxis axis, double[] values, double margin) {
         DoubleSummaryStatistics all = Arrays.stream(values).summaryStatistics();
         axis.setRange(all.getMin() - margin, all.getMax() + margin);
+        Axes.setTicks(axis, axis.getRange().getLength() / TICKS);
     }
 
     private static void addHeads(XYLineAndShapeRenderer renderer, Series path, Color colour) {

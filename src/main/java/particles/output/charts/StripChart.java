@@ -8,28 +8,31 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
-import org.jfree.chart.plot.XYPlot;
+import java.util.List;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
 import org.jfree.chart.ui.RectangleEdge;
-import org.jfree.chart.ui.RectangleInsets;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /** A chart over time without a title or a legend, on which a mark moves. */
 public final class StripChart {
     private static final BasicStroke NOW = new BasicStroke(1.2f);
 
-    private final ChartData data;
-    private final FittedChart chart;
+    private final Chart data;
+    private final JFreeChart chart;
+    private final ChartPlot plot;
 
     /** Creates a chart of these data. */
-    public StripChart(ChartData data) {
+    public StripChart(Chart data) {
         this.data = data;
-        chart = Charts.of(Panel.chart(data));
-        chart.removeLegend();
-        chart.removeLabels();
-        chart.setTitle((String) null);
-        chart.setPadding(new RectangleInsets(4, 4, 4, 10));
+        chart = Charts.of(Panel.of("", List.of(data)), ChartStyle.PANEL, true);
+        plot = Charts.plots(chart).get(0);
+        plot.ends.labelled.clear();
+        plot.setRoom(plot.getRoom().getLeft(), 0);
     }
 
     /**
@@ -40,8 +43,9 @@ public final class StripChart {
      * @param time the time of the marks (s)
      */
     public void draw(Graphics2D g, Rectangle2D area, double time) {
-        Rectangle2D inside = chart.frame(g, area);
-        XYPlot plot = chart.getXYPlot();
+        ChartRenderingInfo drawn = new ChartRenderingInfo();
+        chart.draw(g, area, drawn);
+        Rectangle2D inside = drawn.getPlotInfo().getDataArea();
         double x = plot.getDomainAxis().valueToJava2D(time, inside, RectangleEdge.BOTTOM);
         g.setColor(ChartStyle.AXIS);
         g.setStroke(NOW);
@@ -50,14 +54,15 @@ public final class StripChart {
             int k = at(series, time);
             if (series.mark() != Mark.FAILURES && k >= 0 && series.y()[k] > 0) {
                 double y = plot.getRangeAxis().valueToJava2D(series.y()[k], inside, RectangleEdge.LEFT);
-                mark(g, SolverStyle.orGrey(series.name()), x, y);
+                mark(g, series.look(), x, y);
             }
         }
     }
 
-    private static void mark(Graphics2D g, SolverStyle look, double x, double y) {
-        Shape shape = new AffineTransform(1.5, 0, 0, 1.5, x, y).createTransformedShape(look.shape());
-        g.setColor(look.colour());
+    private static void mark(Graphics2D g, Look look, double x, double y) {
+        Shape shape = new AffineTransform(1.5, 0, 0, 1.5, x, y)
+                .createTransformedShape(ChartStyle.shape(look.variant()));
+        g.setColor(new Color(look.rgb()));
         g.fill(shape);
         g.setColor(Color.WHITE);
         g.setStroke(new BasicStroke(0.9f));

@@ -1,73 +1,69 @@
 package particles.output.report;
 
+import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Group;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
-import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
-import particles.output.charts.Panel;
 import particles.output.charts.PanelGrid;
-import particles.output.charts.SolverStyle;
-import particles.output.charts.SolverStyle.SolverFamily;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
 
 /**
  * A picture of a page, and the chart data behind it.
  *
- * @param name     the name of its files, without an ending; of a picture made elsewhere, with it
- * @param caption  the caption
- * @param title    the title over several panels
- * @param panels   the charts
- * @param bySolver makes the same charts of the solvers whose labels are chosen, to show many by families
- * @param drawn    the whole page instead of charts
- * @param slides   what is shown on slides instead, if it is not each panel by itself
- * @param repeated whether it shows a part of another one again, in a file of its own
+ * @param name    the name of its files, without an ending; of a picture made elsewhere, with it
+ * @param caption the caption
+ * @param title   the title over several panels
+ * @param panels  the charts, row by row; series of the same name share the legend
+ * @param drawn   the whole page instead of charts
+ * @param first   the solvers that a slide shows first, as it has at most five
+ * @param role    whether it repeats a part of another one, or leaves it to others
  */
-public record Picture(String name, String caption, String title, List<Panel> panels,
-        Optional<Function<Predicate<String>, List<ChartData>>> bySolver, Optional<ChartPage> drawn,
-        Optional<List<Picture>> slides, boolean repeated) {
+public record Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn,
+        List<String> first, Role role) {
+    /** The largest number of solvers in one chart of a page. */
+    private static final int CURVES = 6;
+    private static final int CURVES_ON_A_SLIDE = 5;
 
-    private Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn) {
-        this(name, caption, title, panels, Optional.empty(), drawn, Optional.empty(), false);
+    /** What a picture is for. */
+    public enum Role {
+        /** It is shown wherever pictures are. */
+        ANYWHERE,
+        /** It shows a part of a larger picture of the page again, in a file of its own. */
+        REPEATS,
+        /** Its parts are pictures too, so it is no slide. */
+        WHOLE,
     }
 
     /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param panel   the chart, or charts above each other
-     * @return a picture with one panel
+     * The numbers at the ends of a chart's curves.
+     *
+     * @param quantity what they are of
+     * @param curves   the curves, with their names and numbers
      */
+    record Ends(String quantity, List<Series> curves) {
+    }
+
+    private Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn) {
+        this(name, caption, title, panels, drawn, List.of(), Role.ANYWHERE);
+    }
+
+    /** @return a picture with one panel */
     public static Picture of(String name, String caption, Panel panel) {
         return panels(name, caption, panel.title(), List.of(panel));
     }
 
-    /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param results the result of each solver
-     * @param label   the label of a result's solver
-     * @param charts  makes charts of results above each other over the same x axis, the uppermost first
-     * @return a picture that shows solvers by families where they are too many for one panel
-     */
-    public static <T> Picture bySolver(String name, String caption, List<T> results, Function<T, String> label,
-            Function<List<T>, List<ChartData>> charts) {
-        Panel all = Panel.stacked(charts.apply(results));
-        return new Picture(name, caption, all.title(), List.of(all), Optional.of(which -> charts.apply(results.stream()
-                .filter(result -> which.test(label.apply(result))).toList())), Optional.empty(), Optional.empty(),
-                false);
-    }
-
-    /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param title   the title over all panels
-     * @param panels  row by row; those with series of the same names share the legend
-     * @return a picture with many charts
-     */
+    /** @return a picture with many panels */
     public static Picture panels(String name, String caption, String title, List<Panel> panels) {
         return new Picture(name, caption, title, panels, Optional.empty());
     }
@@ -81,24 +77,24 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return new Picture(file, caption, "", List.of(), Optional.empty());
     }
 
-    /**
-     * @param name    the name of the picture's file, without an ending
-     * @param caption the caption
-     * @param page    the page, the same in all formats
-     * @return a picture that is more than charts
-     */
+    /** @return a picture that is more than charts, the same in all formats */
     public static Picture drawn(String name, String caption, ChartPage page) {
         return new Picture(name, caption, "", List.of(), Optional.of(page));
     }
 
-    /** @return the picture, marked as a repetition of a part of a larger picture of the page */
-    public Picture again() {
-        return new Picture(name, caption, title, panels, bySolver, drawn, slides, true);
+    /** @return the picture in another role */
+    public Picture as(Role other) {
+        return new Picture(name, caption, title, panels, drawn, first, other);
     }
 
-    /** @return the picture, replaced on slides by these, each of them without more than one panel */
-    public Picture onSlides(List<Picture> others) {
-        return new Picture(name, caption, title, panels, bySolver, drawn, Optional.of(others), repeated);
+    /** @return the picture with the solvers that a slide shows first, if there are more than five */
+    public Picture first(List<String> solvers) {
+        return new Picture(name, caption, title, panels, drawn, solvers, role);
+    }
+
+    /** @return whether a page shows it as a part of another picture */
+    boolean isRepeated() {
+        return role == Role.REPEATS;
     }
 
     /** @return the name of the picture's file */
@@ -117,95 +113,86 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return file().substring(file().lastIndexOf('.') + 1);
     }
 
-    List<ChartData> data() {
-        return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
+    /** @return whether there are charts on it */
+    boolean hasData() {
+        return !panels.isEmpty();
+    }
+
+    /** @return the numbers at the ends of its curves */
+    List<Ends> ends() {
+        return panels.stream().flatMap(panel -> panel.charts().stream()).collect(Collectors.groupingBy(
+                chart -> chart.y().label(), LinkedHashMap::new, Collectors.flatMapping(chart ->
+                        chart.series().stream().filter(series -> !series.end().isEmpty()), Collectors.toList())))
+                .entrySet().stream().filter(chart -> !chart.getValue().isEmpty())
+                .map(chart -> new Ends(chart.getKey(), chart.getValue())).toList();
+    }
+
+    /** @return the panels that have an answer */
+    List<Panel> answers() {
+        return panels.stream().filter(panel -> !panel.answer().isEmpty()).toList();
     }
 
     /**
-     * Splits a picture as the format needs: on slides each chart is a picture of its own; elsewhere only charts with
-     * too many curves are split by solver families. The names of files say what is in them.
+     * Splits a picture as the format needs: on slides each chart is a picture of its own, with at most five curves;
+     * elsewhere only charts with too many curves are split, a panel for each group of solvers.
      *
      * @param format the format
      * @return the pictures to be drawn
      */
     public List<Picture> laidOut(ChartFormat format) {
-        if (format.slide() && slides.isPresent()) {
-            return slides.get().stream().flatMap(slide -> slide.laidOut(format).stream()).toList();
+        if (format.slide() ? role == Role.WHOLE : panels.stream().flatMap(panel -> panel.charts().stream())
+                .allMatch(chart -> solvers(chart).size() <= CURVES)) {
+            return format.slide() ? List.of() : List.of(this);
         }
-        if (panels.isEmpty() || !format.slide() && panels.stream().noneMatch(panel -> isCrowded(panel, format))) {
+        if (panels.isEmpty()) {
             return List.of(this);
         }
-        Map<String, Picture> pictures = new LinkedHashMap<>();
+        List<Picture> pictures = new ArrayList<>();
         for (Panel panel : panels) {
-            List<Panel> parts = panel.apart(!format.slide());
-            for (Panel part : parts) {
-                String file = name + (panels.size() == 1 ? "" : "-" + Panel.fileName(panel.title()))
-                        + (part == parts.get(0) ? "" : "-" + part.quantity());
-                if (!isCrowded(part, format)) {
-                    add(pictures, file, part, List.of(part.titled(heading(part))));
-                } else if (!format.slide()) {
-                    add(pictures, file, part, part.families().stream().map(family ->
-                            member(part, family, true).titled(title(family))).toList());
-                } else {
-                    for (SolverFamily family : part.families()) {
-                        Panel some = member(part, family, false);
-                        // a finding such as 'rk4 is cheapest' holds among these solvers
-                        String whose = " (" + title(family) + ")";
-                        String title = heading(some);
-                        Panel named = some.titled(title.contains(": ") ? title.replaceFirst(": ", whose + ": ")
-                                : title + whose);
-                        add(pictures, file + "-" + family.word(), named, List.of(named));
-                    }
+            for (int k = 0; k < panel.charts().size(); k++) {
+                Chart chart = panel.charts().get(k);
+                if (k > 0 && !chart.rows().isEmpty()) {
+                    continue;                           // below the chart before; a slide has no room for them
                 }
+                String file = Stream.of(name, panel.name(), chart.name()).filter(part -> !part.isEmpty())
+                        .collect(Collectors.joining("-"));
+                String text = pictures.isEmpty() ? caption : panel.title() + ": " + chart.y().quantity() + ".";
+                List<Chart> shown = panel.charts().subList(k, k + 1 < panel.charts().size()
+                        && !panel.charts().get(k + 1).rows().isEmpty() ? k + 2 : k + 1);
+                pictures.add(panels(file, text, panel.title(), format.slide()
+                        ? List.of(panel.with(panel.title(), List.of(onSlide(chart)))) : groups(panel, shown)));
             }
         }
-        return List.copyOf(pictures.values());
+        return pictures;
     }
 
-    private boolean isCrowded(Panel panel, ChartFormat format) {
-        return bySolver.isPresent() && panel.curves() > format.mostCurves();
+    private static List<SolverInfo> solvers(Chart chart) {
+        return chart.series().stream().filter(series -> series.mark().isCurve())
+                .flatMap(series -> series.look().solver().stream()).distinct().toList();
     }
 
-    @SuppressWarnings("ReturnValueIgnored")             // the filter is called for the labels that it is asked about
-    private String title(SolverFamily family) {
-        boolean[] own = new boolean[1];
-        bySolver.orElseThrow().apply(label -> {
-            own[0] |= SolverStyle.of(label).isEmpty();
-            return true;
-        });
-        return family.title + (own[0] ? " and your own" : "");
+    private Chart onSlide(Chart chart) {
+        List<SolverInfo> shown = solvers(chart).stream().sorted(Comparator.comparingInt(solver ->
+                first.contains(solver.name()) ? first.indexOf(solver.name()) : first.size()))
+                .limit(Math.max(0, CURVES_ON_A_SLIDE - chart.series().stream().filter(series ->
+                        series.mark().isCurve() && series.look().equals(Look.OWN)).count())).toList();
+        Chart some = chart.only(series -> series.look().solver().isEmpty()
+                || shown.contains(series.look().solver().get()));
+        return chart.scale() == chart.series() ? some.scaledTo(some.series()) : some;
     }
 
-    /** @return the panel with the solvers of one family, and one's own, on the same axes */
-    private Panel member(Panel part, SolverFamily family, boolean rows) {
-        return Panel.stacked(bySolver.orElseThrow().apply(label -> SolverStyle.of(label)
-                .map(look -> look.family() == family).orElse(true))).apart(rows).stream()
-                .filter(some -> quantity(some).equals(quantity(part))).findFirst().orElseThrow()
-                .scaledTo(List.of(part));
-    }
-
-    /**
-     * Adds a picture of a panel, or of its parts. The first one's caption explains all. Panels that show the same along
-     * another axis have its quantity in the name, too.
-     */
-    private void add(Map<String, Picture> pictures, String file, Panel whole, List<Panel> parts) {
-        String unique = pictures.containsKey(file) ? file + "-" + Panel.fileName(whole.charts().get(0).xLabel()) : file;
-        String text = pictures.isEmpty() ? caption : heading(whole) + ".";
-        pictures.put(unique, panels(unique, text, heading(whole), parts));
-    }
-
-    private static String quantity(Panel panel) {
-        return panel.charts().get(0).yLabel();
-    }
-
-    /** The title of a panel; a chart without a title of its own shows its quantity. */
-    private static String heading(Panel panel) {
-        return panel.title().isEmpty() ? quantity(panel) : panel.title();
+    private static List<Panel> groups(Panel panel, List<Chart> charts) {
+        List<Group> groups = solvers(charts.get(0)).stream().map(solver -> solver.family().group()).distinct().sorted()
+                .toList();
+        return groups.size() < 2 ? List.of(panel.with(panel.title(), charts)) : groups.stream().map(group ->
+                panel.with(group.words, charts.stream().map(chart -> chart.only(series -> series.look().solver()
+                        .map(solver -> solver.family().group() == group).orElse(true)))
+                        .filter(chart -> !chart.series().isEmpty()).toList())).toList();
     }
 
     /** @return the page to be drawn; none if the picture is made elsewhere */
     public Optional<ChartPage> page(ChartFormat format) {
         return panels.isEmpty() ? drawn : Optional.of(panels.size() == 1
-                ? ChartPage.of(panels.get(0), format) : new PanelGrid(title, panels).page());
+                ? ChartPage.of(panels.get(0), format) : PanelGrid.page(title, panels));
     }
 }

@@ -37,6 +37,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{{style}}}</style>
             </head>
             <body>
+            <main>
             <h1>{{title}}</h1>
             {{#text}}
             <p>{{.}}</p>
@@ -45,14 +46,14 @@ public record Report(String title, List<String> text, List<Section> sections, St
             <h2>Contents</h2>
             <ol>
             {{#sections}}
-            <li><a href="#{{task}}">{{task}}</a>: {{finding}}</li>
+            <li><a href="#{{task}}">{{task}}</a>: {{heading}}</li>
             {{/sections}}
             </ol>
             </nav>
             {{#sections}}
             <section id="{{task}}">
-            <p class="task">gradle {{task}}: {{purpose}}</p>
-            <h2>{{finding}}</h2>
+            <p class="task"><span class="command">gradle {{task}}</span>: {{purpose}}</p>
+            <h2>{{heading}}</h2>
             {{#failure}}
             <p class="failure">{{.}}</p>
             {{/failure}}
@@ -61,13 +62,22 @@ public record Report(String title, List<String> text, List<Section> sections, St
             <p>{{.}}</p>
             {{/text}}
             {{#pictures}}
-            {{^repeated}}
+            {{^isRepeated}}
             <figure id="{{task}}-{{file}}"{{#look}} class="{{.}}"{{/look}}>
             <div class="scroll"><button type="button" title="larger or smaller"><img alt="{{caption}}" \
             src="data:image/{{type}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
             <figcaption>{{caption}}</figcaption>
+            {{#answers}}
+            <p>{{title}}: {{answer}}</p>
+            {{/answers}}
+            {{#ends}}
+            <div class="table"><table class="ends"><tbody>
+            <tr><th scope="row" rowspan="2">{{quantity}}</th>{{#curves}}<th scope="col">{{name}}</th>{{/curves}}</tr>
+            <tr>{{#curves}}<td class="number">{{end}}</td>{{/curves}}</tr>
+            </tbody></table></div>
+            {{/ends}}
             </figure>
-            {{/repeated}}
+            {{/isRepeated}}
             {{/pictures}}
             {{/page}}
             {{#tables}}
@@ -97,6 +107,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{/tables}}
             </section>
             {{/sections}}
+            </main>
             <footer><p>{{end}}</p></footer>
             <script>
             {{{script}}}</script>
@@ -119,7 +130,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
         /** A table with more rows is collapsed, and not printed. */
         private static final int MOST_ROWS = 60;
 
-        String finding() {
+        String heading() {
             return page.map(ResultPage::title).orElse("could not be made");
         }
 
@@ -156,7 +167,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
         Path path = Path.of(folder.execute()).resolve(picture.file());
         try {
             byte[] file = Files.readAllBytes(path);
-            page.write(Base64.getEncoder().encodeToString(picture.data().isEmpty() ? file : SmallImage.of(file)));
+            page.write(Base64.getEncoder().encodeToString(picture.hasData() ? SmallImage.of(file) : file));
         } catch (IOException e) {
             throw new OutputException(path, "read", e);
         }

@@ -15,6 +15,7 @@ final class ReportStyle {
             h3 { font-size: 1rem; margin: 1.5rem 0 0.3rem; }
             section { border-top: 2px solid #c9ccd3; margin-top: 2.5rem; padding-top: 1rem; }
             .task { color: #555a64; font-size: 0.875rem; margin: 0 0 0.3rem; }
+            .command { white-space: nowrap; }
             .failure { white-space: pre-line; border-left: 4px solid #a00; padding: 0.3rem 0.8rem;
                   background: #fff3f2; }
             nav { background: #f3f4f7; padding: 0.8rem 1rem; }
@@ -37,6 +38,8 @@ final class ReportStyle {
             td.text { min-width: 6rem; }
             td:first-child { min-width: 0; white-space: nowrap; position: sticky; left: 0; background: #fff; }
             th { vertical-align: bottom; border-bottom: 2px solid #8a8f99; }
+            .ends th { font-weight: normal; white-space: nowrap; }
+            .ends td:first-child { position: static; }
             th button { all: unset; cursor: pointer; font-weight: bold; }
             th button:focus-visible { outline: 2px solid #0a4b9c; }
             th.number { text-align: right; }

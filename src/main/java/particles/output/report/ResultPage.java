@@ -11,14 +11,14 @@ import particles.output.files.Numbers;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.TableText.TableView;
-import particles.view.ChartData;
 import particles.view.DataTable;
+import particles.view.Panel;
 
 /**
- * The results of an experiment: pictures, the numbers behind them, and the findings.
+ * The results of an experiment: pictures, and the numbers behind them.
  *
  * @param name     the name of its task and folder, such as {@code workPrecision}
- * @param title    the finding, in a sentence
+ * @param title    what was measured
  * @param text     paragraphs that explain the pictures
  * @param pictures the pictures
  * @param tables   the tables, the main one first
@@ -36,7 +36,17 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
 
             ![{{{caption}}}]({{file}})
 
-            {{{caption}}}{{^data.isEmpty}} Its numbers: [{{name}}.csv]({{name}}.csv).{{/data.isEmpty}}
+            {{{caption}}}{{#hasData}} Its numbers: [{{name}}.csv]({{name}}.csv).{{/hasData}}
+            {{#answers}}
+
+            {{{title}}}: {{{answer}}}
+            {{/answers}}
+            {{#ends}}
+
+            | {{{quantity}}} |{{#curves}} {{{name}}} |{{/curves}}
+            | --- |{{#curves}} ---: |{{/curves}}
+            | |{{#curves}} {{{end}}} |{{/curves}}
+            {{/ends}}
             {{/pictures}}
             {{#tables}}
 
@@ -81,8 +91,8 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
         try (ChartWriter writer = new ChartWriter(folder, format)) {
             for (Picture picture : laidOut.pictures()) {
                 picture.page(format).ifPresent(drawn -> writer.write(picture.file(), drawn));
-                if (!picture.data().isEmpty()) {
-                    writeLines(folder, picture.name() + ".csv", points(picture.data()));
+                if (picture.hasData()) {
+                    writeLines(folder, picture.name() + ".csv", points(picture.panels()));
                 }
             }
         }
@@ -95,16 +105,14 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
     }
 
     /** The lines of a CSV file with the points of all series below each other. */
-    private static List<String> points(List<ChartData> charts) {
+    private static List<String> points(List<Panel> panels) {
         List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));
-        for (ChartData chart : charts) {
-            for (ChartData.Series series : chart.series()) {
-                for (int k = 0; k < series.x().length; k++) {
-                    lines.add(TableText.line(Stream.of(chart.title(), series.name(), chart.xLabel(),
-                            Numbers.shortest(series.x()[k]), chart.yLabel(), Numbers.shortest(series.y()[k]))));
-                }
+        panels.forEach(panel -> panel.charts().forEach(chart -> chart.series().forEach(series -> {
+            for (int k = 0; k < series.x().length; k++) {
+                lines.add(TableText.line(Stream.of(panel.title(), series.name(), chart.x().label(),
+                        Numbers.shortest(series.x()[k]), chart.y().label(), Numbers.shortest(series.y()[k]))));
             }
-        }
+        })));
         return lines;
     }
 

@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.StepMatrix;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -15,10 +16,13 @@ import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Measurements of a solver on motions with known solutions, as numbers and charts.
@@ -30,9 +34,10 @@ import particles.view.DataTable;
  * @param energy        the energy of a spring over time
  * @param workPrecision error against evaluations, beside other solvers
  */
-public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, Optional<DataTable> growth,
-        ChartData energy, ChartData workPrecision) {
+public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region, Optional<DataTable> growth,
+        Panel energy, Panel workPrecision) {
     private static final double ENERGY_STEP = 0.1;
+    private static final Axis ENERGY = Axis.log("|energy / first energy - 1|", "");
     private static final int ENERGY_STEPS = 2000;
     private static final int BEGINNING = 12;
     private static final long REFUSED = -1;
@@ -71,20 +76,20 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         }
         work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
-                new ChartData(Double.isNaN(order.order()) ? "The error does not follow a power of deltaT"
-                        : Digits.format("The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
-                        "error after 2 s", true, true,
-                        List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
-                stability.growth(),
-                new ChartData("The energy of a spring is off by up to " + Digits.few(largest(energy))
-                        + " of its first value, with deltaT = 0.1 s",
-                        "time (s)", "|energy / first energy - 1|", false, true, energies),
-                new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true,
-                        work));
+                Panel.of(name + ": error against deltaT", List.of(new Chart(Axis.log("deltaT", "s"),
+                        Axis.log("error after 2 s", ""), List.of(series(name, Mark.LINE_AND_POINTS, order.points())))))
+                        .answered(Double.isNaN(order.order()) ? "" : Digits.format("order %.2f", order.order())),
+                stability.region(), stability.growth(),
+                Panel.of(name + ": energy of a spring, deltaT = " + ENERGY_STEP + " s", List.of(new Chart(Axis.TIME,
+                        ENERGY, energies.stream().map(one -> one.ending(Digits.few(Arrays.stream(one.y()).max()
+                        .orElse(Double.NaN), 2))).toList()))),
+                Panel.of(name + ": error against work", List.of(new Chart(Axis.log("evaluations of the derivative", ""),
+                        Axis.log("error after 8 s", ""), work))));
     }
 
     private static Series series(String name, Mark mark, List<double[]> points) {
-        return Series.of(name, mark, points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
+        return Series.of(SolverCatalog.find(name).map(Look::of).orElse(Look.OWN), name, mark, points.stream()
+                .filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
     }
 
     private static List<double[]> energy(Supplier<DESolver> maker) {

@@ -25,11 +25,13 @@ import particles.teaching.Formula;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
 import particles.view.DataTable;
 import particles.view.DataTable.Cells;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * The stability limits and the stability region of a solver, measured on its steps.
@@ -38,7 +40,7 @@ import particles.view.DataTable.Cells;
  * @param region the part of the plane where a step does not grow, beside the most similar built-in solver's
  * @param growth the factor by which a step multiplies the solution, beside the exact one and those of built-in solvers
  */
-record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Optional<DataTable> growth) {
+record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optional<DataTable> growth) {
     /** With more noise the coefficients of R are not known well enough to be named. */
     private static final double CLEAN = 1e-9;
     private static final double STABLE = 1 + 1e-8;
@@ -107,13 +109,14 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 + (springs ? "" : ": on the imaginary axis") + (spring.value() == 0 ? "; grows at any deltaT" : "")
                 + how);
         rows.addAll(springs ? List.of(undamped, damped) : List.of(damped, undamped));
-        String title = "Stable in the grey region: " + most(damping)
-                + (springs ? " for critical damping, " : " for damping, ") + most(spring) + " for undamped springs";
+        String answer = "stable: " + (springs ? "critical damping " : "damping ") + most(damping)
+                + ", undamped springs " + most(spring);
         double cost = (own.manySteps() ? MANY_STEPS : 1) * LENGTHS.stream().mapToLong(deltaT -> Math.max(
                 evaluations(maker, new Springs(), deltaT), springs ? 0 : evaluations(maker, new StiffDecay(), deltaT
                 / StiffDecay.RATE))).average().orElseThrow();
         double cells = Math.max(FEW_CELLS, Math.min(CELLS, Math.sqrt(EVALUATIONS / cost)));
-        return new StabilityFigures(rows, Optional.of(chart(title, name, own, nearest, others.get(nearest), cells)),
+        return new StabilityFigures(rows, Optional.of(Panel.map(name + ": stability region",
+                chart(name, own, nearest, others.get(nearest), cells)).answered(answer)),
                 Optional.of(table(name, own, nearest, others)));
     }
 
@@ -155,14 +158,14 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 - Math.min(MOST, other.at(at[0], at[1])))).sum();
     }
 
-    private static ChartData chart(String title, String name, Amplification own, String nearest,
-            Amplification other, double cells) {
+    private static Chart chart(String name, Amplification own, String nearest, Amplification other, double cells) {
         Window window = window(List.of(own, other), cells);
         StabilityMap map = new StabilityMap(own::at, window);
-        Series beside = new StabilityMap(other::at, window).outline(nearest);
+        Series beside = new StabilityMap(other::at, window).outline(Look.of(SolverCatalog.info(nearest)), nearest);
+        Look look = SolverCatalog.find(name).map(Look::of).orElse(Look.OWN);
         // pale and wide, so that a line along which it runs is seen
-        return StabilityRegion.chart(title, List.of(map.outline(name), map.filled("stable"),
-                new Series(nearest, Mark.BAND, beside.x(), beside.y())), window);
+        return StabilityRegion.chart(List.of(map.outline(look, name), map.filled(look),
+                new Series(beside.look(), nearest, Mark.BAND, beside.x(), beside.y())), window);
     }
 
     /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */

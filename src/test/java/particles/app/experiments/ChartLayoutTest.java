@@ -3,6 +3,7 @@ package particles.app.experiments;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.catalog.SolverCatalog;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -21,20 +22,24 @@ import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.Layout;
 import particles.output.charts.PageRecorder;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 import picocli.CommandLine;
 
 /** What is wrong with the layout of a chart is seen: boxes, type, labels and titles, as data. */
 class ChartLayoutTest {
     private static final ChartFormat SLIDE = new ChartFormat(true, false, false);
-    private static final Panel LINE = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", false, false,
-            List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {0, 1}))));
+    private static final Look RK4 = Look.of(SolverCatalog.info("rk4"));
+    private static final Axis HEIGHT = Axis.linear("height", "m");
+    private static final Panel LINE = Panel.of("A stone", List.of(new Chart(Axis.TIME, HEIGHT,
+            List.of(new Series(RK4, "rk4", Mark.LINE, new double[] {0, 1}, new double[] {0, 1}).ending(HEIGHT)))));
 
     /** @return what is wrong with the charts of a page, as page and as slide; empty if nothing is */
     static List<String> faults(ResultPage page) {
@@ -96,11 +101,12 @@ class ChartLayoutTest {
             rk4, 5e-3, 5e-2
             rk4, 1e-17, 1e3
             rk4, 0.9, 110
-            'linearised-euler, 1.02 (1)', 1.2e-5, 9e-3
+            linearised-euler, 1.2e-5, 9e-3
             """)
     void logarithmicAxesHaveThreeLabels(String solver, double low, double high) {
-        Panel panel = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", true, true,
-                List.of(new Series(solver, Mark.LINE, new double[] {low, high}, new double[] {low, high}))));
+        Panel panel = Panel.of("A stone", List.of(new Chart(Axis.log("time", "s"), Axis.log("height", "m"),
+                List.of(new Series(RK4, solver, Mark.LINE, new double[] {low, high}, new double[] {low, high},
+                        "1.02 (1)")))));
         assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
     }
 }

@@ -72,7 +72,7 @@ class EnergyDriftTest {
         assertEquals(drift.outcome().endTime(), drift.time()[drift.time().length - 1]);
         assertTrue(drift.largest() > 1000 && drift.largest() < 3000, drift.toString());
         assertTrue(drift.outcome().failure().orElseThrow().startsWith("the numerical error is "), drift.toString());
-        assertEquals("blows up at t = 1.04 s", DriftCharts.verdict(drift, false));
+        assertEquals(1.04, drift.outcome().endTime(), 1e-12);
     }
 
     /** Euler's steps are stable, but add more energy than the spring ever has. */

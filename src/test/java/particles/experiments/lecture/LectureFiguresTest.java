@@ -4,14 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
-import particles.view.ChartData;
-import particles.view.ChartData.VectorField;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.VectorField;
 import particles.view.DataTable;
 
 class LectureFiguresTest {
@@ -58,25 +61,13 @@ class LectureFiguresTest {
         }
     }
 
-    /**
-     * What the heading says of each solver is what the table has: who grows by more than threefold grows not slowly.
-     */
-    @Test
-    void theFindingIsThatOfTheTable() {
-        assertEquals("""
-                euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint \
-                \u00d7\u00a03.41 in 11 s with deltaT = 1 s, \u00d7\u00a01.06 in 500 s with deltaT = 0.1 s""",
-                LectureFigures.finding(RESULTS));
-        assertEquals("rk4 spirals inwards", LectureFigures.finding(RESULTS.subList(4, 7)));
-    }
-
     /** The angle between both ends is the phase error, clockwise where it is positive. */
     @ParameterizedTest
     @CsvSource({"midpoint, 1, 11, 1.178636", "rk4, 0.4, 1250, -0.100637"})
     void bothEndsAreMarked(String solver, double deltaT, int steps, double phase) {
-        ChartData chart = LectureFigures.chart(LectureFigures.run(new Figure(solver, deltaT, steps)), "a title");
-        ChartData.Series end = chart.series().get(3);
-        ChartData.Series exactEnd = chart.series().get(4);
+        Chart chart = LectureFigures.chart(LectureFigures.run(new Figure(solver, deltaT, steps)));
+        Series end = chart.series().get(3);
+        Series exactEnd = chart.series().get(4);
         assertEquals(List.of("end", "exact end"), List.of(end.name(), exactEnd.name()));
         double angle = Math.atan2(exactEnd.y()[0], exactEnd.x()[0]) - Math.atan2(end.y()[0], end.x()[0]);
         assertEquals(phase, Math.IEEEremainder(angle, 2 * Math.PI), 0.5e-6);
@@ -101,9 +92,9 @@ class LectureFiguresTest {
     @Test
     void chartsShowEveryStateAndTheExactCircle() {
         Result result = LectureFigures.run(new Figure("midpoint", 0.1, 5000));
-        ChartData chart = LectureFigures.chart(result, "a title");
+        Chart chart = LectureFigures.chart(result);
         assertEquals(5001, chart.series().get(0).x().length);
-        assertEquals("midpoint", chart.series().get(0).name(), "it has the solver's colour");
+        assertEquals(Look.of(SolverCatalog.info("midpoint")), chart.series().get(0).look());
         double reach = LectureFigures.reach(result);
         VectorField field = LectureFigures.field(reach);
         for (int k = 0; k < field.x().length; k++) {

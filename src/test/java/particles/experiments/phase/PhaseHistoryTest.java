@@ -20,10 +20,11 @@ import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
-import particles.view.ChartData.VectorField;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
+import particles.view.VectorField;
 
 /** Paths in state space and the field that they follow. */
 class PhaseHistoryTest {
@@ -49,8 +50,8 @@ class PhaseHistoryTest {
     @Test
     void theOscillatorsPathIsAnEllipse() {
         PhaseHistory phase = observe(oscillator(0.02, 4));
-        assertEquals(Axis.Z, phase.widestAxis());
-        ChartData chart = phase.chart(Axis.Z, "an ellipse");
+        assertEquals(Coordinate.Z, phase.widestAxis());
+        Chart chart = phase.chart(Coordinate.Z, Look.OWN, "path");
         Series path = chart.series().get(0);
         assertEquals(201, path.x().length);
         assertEquals(Mark.LINE, path.mark());
@@ -59,7 +60,7 @@ class PhaseHistoryTest {
             double v = path.y()[k] / 2;
             assertEquals(1, x * x + v * v, 5e-8);       // measured 1.1e-8: RK4 loses (h omega)^6 / 72 a step, times 200
         }
-        assertEquals("position z of 'bob' (m)", chart.xLabel());
+        assertEquals("position z of 'bob' (m)", chart.x().label());
         assertArrayEquals(new double[] {4}, chart.series().get(1).x());
         assertArrayEquals(new double[] {0}, chart.series().get(1).y());
         assertEquals(path.x()[path.x().length - 1], chart.series().get(2).x()[0], "the end is marked");
@@ -78,10 +79,10 @@ class PhaseHistoryTest {
         PhaseHistory phase = new PhaseHistory("bob", Optional.of("hub"));
         simulation.addObserver(phase);
         simulation.run();
-        ChartData chart = phase.chart(Axis.ANGLE, "a circle");
+        Chart chart = phase.chart(Coordinate.ANGLE, Look.OWN, "path");
         Series path = chart.series().get(0);
-        assertEquals("angle theta of 'bob' about 'hub' (rad)", chart.xLabel());
-        assertEquals("angular velocity omega of 'bob' about 'hub' (rad/s)", chart.yLabel());
+        assertEquals("angle theta of 'bob' about 'hub' (rad)", chart.x().label());
+        assertEquals("angular velocity omega of 'bob' about 'hub' (rad/s)", chart.y().label());
         assertEquals(641, path.x().length);
         for (int k = 0; k < path.x().length; k++) {
             assertEquals(2.0 * k / 64, path.x()[k], 1e-6);
@@ -91,11 +92,12 @@ class PhaseHistoryTest {
 
     @Test
     void fewStatesAreMarkedAndManyAreThinnedToPoints() {
-        assertEquals(Mark.LINE_AND_POINTS, observe(oscillator(0.25, 4)).chart(Axis.Z, "").series().get(0).mark());
-        Series thinned = observe(oscillator(1.0 / 64, 1000)).chart(Axis.Z, "").series().get(0);
+        assertEquals(Mark.LINE_AND_POINTS, observe(oscillator(0.25, 4)).chart(Coordinate.Z, Look.OWN, "path").series()
+                .get(0).mark());
+        Series thinned = observe(oscillator(1.0 / 64, 1000)).chart(Coordinate.Z, Look.OWN, "path").series().get(0);
         assertEquals(Mark.POINTS, thinned.mark());
         assertEquals(32_001, thinned.x().length);      // every second of 64,001 states
-        Series all = observe(oscillator(1.0 / 64, 2)).chart(Axis.Z, "").series().get(0);
+        Series all = observe(oscillator(1.0 / 64, 2)).chart(Coordinate.Z, Look.OWN, "path").series().get(0);
         assertEquals(all.x()[100], thinned.x()[50]);
     }
 
@@ -114,7 +116,7 @@ class PhaseHistoryTest {
                 effects: [gravity: {}]
                 rules: [ground: {restitution: 1}]
                 """).replace("IMPACT", impact)));
-        Series path = observe(scene.simulation()).chart(Axis.Y, "").series().get(0);
+        Series path = observe(scene.simulation()).chart(Coordinate.Y, Look.OWN, "path").series().get(0);
         assertEquals(2, Arrays.stream(path.x()).filter(Double::isNaN).count());
         for (int k = 1; k < path.y().length; k++) {
             assertFalse(Math.abs(path.y()[k] - path.y()[k - 1]) > 9.81 * 0.01 + 1e-12, "false where it is cut");
@@ -124,9 +126,9 @@ class PhaseHistoryTest {
     @Test
     void theFieldIsVelocityAndAcceleration() {
         Simulation simulation = oscillator(0.02, 4);
-        Series path = observe(simulation).chart(Axis.Z, "").series().get(0);
+        Series path = observe(simulation).chart(Coordinate.Z, Look.OWN, "path").series().get(0);
         long evaluations = simulation.getSystem().getEvaluations();
-        VectorField field = VectorFields.around(simulation.getSystem(), Axis.Z, path.x(), path.y()).orElseThrow();
+        VectorField field = VectorFields.around(simulation.getSystem(), Coordinate.Z, path.x(), path.y()).orElseThrow();
         for (int k = 0; k < field.x().length; k++) {
             assertEquals(-4 * (field.x()[k] - 3), field.dv()[k], 1e-13);
         }
@@ -141,13 +143,13 @@ class PhaseHistoryTest {
     void moreDegreesOfFreedomHaveNoField() {
         Simulation simulation = oscillator(0.02, 4);
         double[] range = {-1, 1};
-        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Axis.X, range, range));
-        assertTrue(VectorFields.around(simulation.getSystem(), Axis.Z, range, range).isPresent());
+        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Coordinate.X, range, range));
+        assertTrue(VectorFields.around(simulation.getSystem(), Coordinate.Z, range, range).isPresent());
         simulation.getSystem().addEffect(new Gravity(simulation.getSystem().getParticles(), new Vector3(0, -1, 0)));
-        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Axis.Z, range, range));
+        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Coordinate.Z, range, range));
         Simulation two = oscillator(0.02, 4);
         two.getSystem().addParticle("other", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
-        assertEquals(Optional.empty(), VectorFields.around(two.getSystem(), Axis.Z, range, range));
+        assertEquals(Optional.empty(), VectorFields.around(two.getSystem(), Coordinate.Z, range, range));
     }
 
     @Test
@@ -156,6 +158,6 @@ class PhaseHistoryTest {
         Simulation simulation = oscillator(0.25, 1);
         simulation.addObserver(phase);
         simulation.run();
-        assertThrows(IllegalStateException.class, () -> phase.chart(Axis.X, ""));
+        assertThrows(IllegalStateException.class, () -> phase.chart(Coordinate.X, Look.OWN, "path"));
     }
 }

@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertStarts;
 
+import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,8 +20,8 @@ import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Panel;
+import particles.view.Series;
 
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
 class SceneStabilityTest {
@@ -70,7 +72,8 @@ class SceneStabilityTest {
         assertEquals(1, limit.predictedGrowth() / growth, 1e-5, limit.toString());
         assertEquals(1, limit.measuredGrowth() / growth, 2e-3, limit.toString());
         assertTrue(limit.note().endsWith(" grows most") && limit.note().startsWith("the mode of"), limit.toString());
-        assertStarts(SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1).toString(), "always grows: 1.9");
+        assertEquals("always grows: " + Digits.few(growth) + " a step",
+                SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1));
     }
 
     /** The factor is 2 where y = omega deltaT has 1 - y^6/72 + y^8/576 = 4; without interpolation, 4.16. */
@@ -181,33 +184,43 @@ class SceneStabilityTest {
         assertEquals(List.of(), SceneStability.spectrum(TestScenes.named("22")).modes());
     }
 
+    private static Panel plane(double deltaT, String... solvers) {
+        return SceneStabilityCharts.plane("A chain", SceneStability.spectrum(chain(1, "")), deltaT,
+                Stream.of(solvers).map(SolverCatalog::info).toList());
+    }
+
     /** At deltaT = 100, modes reach to 141, rk4's region to 2.83 and radau's unstable one to 7.5. */
     @Test
-    void chartSaysWhatIsStableAndWhatWouldBeTooSmallToBeSeen() {
-        Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
-        for (ChartData chart : SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("rk4", "radau"))) {
-            assertEquals("A chain: a step of 100 s is stable with radau; outlines of rk4 and radau are too small to be"
-                    + " seen", chart.title());
-            assertEquals(List.of("imaginary axis", "modes of the scene"), chart.series().stream().map(Series::name)
-                    .toList());
-        }
-        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
-        assertEquals("A chain: a step of 1 s is stable with rk4 and radau", chart.title());
-        assertEquals("A chain: a step or sub-step of 1 s is stable with no solver shown",
-                SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("dormand-prince")).get(0).title());
+    void outlinesThatWouldBeTooSmallToBeSeenAreLeftOut() {
+        assertEquals(List.of("imaginary axis", "modes of the scene"), plane(100, "rk4", "radau").charts().get(0)
+                .series().stream().map(Series::name).toList());
+        Panel near = plane(1, "rk4", "radau");
+        assertEquals("A chain: eigenvalues times deltaT = 1 s", near.title());
         assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
-                chart.series().stream().map(Series::name).toList());
+                near.charts().get(0).series().stream().map(Series::name).toList());
     }
 
     /** Modes that reach to 141 and more are drawn where rk4's region ends. */
     @Test
     void aChartOfStepsFarTooLongShowsTheLongest() {
-        Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
-        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("euler", "rk4")).get(0);
-        assertEquals("A chain: a step of 100 s is stable with no solver shown; drawn for " + Digits.few(2 * Math.sqrt(2)
-                / spectrum.modes().get(0).size()) + " s, the longest that is stable with rk4", chart.title());
-        double[] height = chart.series().get(3).y();
+        Panel plane = plane(100, "euler", "rk4");
+        assertEquals("A chain: eigenvalues times deltaT = " + Digits.few(2 * Math.sqrt(2) / SceneStability.spectrum(
+                chain(1, "")).modes().get(0).size()) + " s", plane.title());
+        double[] height = plane.charts().get(0).series().get(3).y();
         assertEquals(2 * Math.sqrt(2), Arrays.stream(height).max().orElseThrow(), 1e-8);      // measured 4e-9
+        assertEquals(-2 * Math.sqrt(2), Arrays.stream(height).min().orElseThrow(), 1e-8);
+    }
+
+    /** The number at each line is where the runs began to move apart, as in the table. */
+    @Test
+    void growthHasTheLimitOfEachSolverAtItsLine() {
+        Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
+        List<Limit> limits = limits(chain(1, ""), "rk4,verlet");
+        List<Series> series = SceneStabilityCharts.growth(spectrum, limits).series();
+        for (int k = 0; k < 2; k++) {
+            assertEquals(Digits.few(limits.get(k).measured()) + " s", series.get(2 * k).end());
+            assertEquals(limits.get(k).measured(), series.get(2 * k + 1).x()[0]);
+        }
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -64,7 +65,7 @@ class StabilityLimitsTest {
     @Test
     void aCriticallyDampedSpringHasTheRealLimitOfMethodsThatStepTheWholeState() {
         for (SolverInfo info : SolverCatalog.all()) {
-            if (!info.secondOrder() && !info.family().equals("multistep")) {
+            if (!info.secondOrder() && info.family() != Family.MULTISTEP) {
                 Amplification amplification = Amplification.of(info);
                 assertLimit(info.dampedLimit(), StabilityLimit.measure(h -> amplification.ofSpring(h * h, 2 * h)),
                         info.name());

@@ -16,7 +16,7 @@ import particles.experiments.work.EffectCost.Cost;
 import particles.scene.Scene;
 import particles.scene.format.SceneFormat;
 import particles.spec.Reference;
-import particles.view.ChartData;
+import particles.view.Chart;
 
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
 class EffectCostTest {
@@ -38,8 +38,8 @@ class EffectCostTest {
             assertEquals((k + 1) / 2.0, costs.get(k).overBase(), 8e-15);              // measured 8.9e-16
             assertEquals(costs.get(k).name(), told.get(k));
         }
-        ChartData chart = EffectCost.chart(costs);
-        assertEquals(9, chart.rows().size(), "eight that are dear, and all others together");
+        Chart chart = EffectCost.panel(costs).charts().get(0);
+        assertEquals(7, chart.rows().size(), "the six dearest, and all others together");
         assertEquals(17, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
         assertEquals("2", EffectCost.overLoop(costs));
@@ -61,15 +61,13 @@ class EffectCostTest {
     /** Sorted whatever the order of measurement, on a logarithmic axis, from 1, with the value in the row's name. */
     @Test
     void barsAreSortedAndCarryTheirValues() {
-        ChartData chart = EffectCost.chart(List.of(new Cost("hand-written", 9e-7, 0.9), new Cost("springs", 1e-6, 1),
+        Chart chart = EffectCost.panel(List.of(new Cost("hand-written", 9e-7, 0.9), new Cost("springs", 1e-6, 1),
                 new Cost("+ cohesion", 2.8e-5, 28), new Cost("+ tear", 1.3e-6, 1.3),
-                new Cost("+ gravity", 1.06e-6, 1.06)));
+                new Cost("+ gravity", 1.06e-6, 1.06))).charts().get(0);
         assertEquals(List.of("the other 3, at most: 1.06", "+ tear: 1.3", "+ cohesion: 28"), chart.rows());
-        assertTrue(chart.xLog());
+        assertTrue(chart.x().log());
         assertArrayEquals(new double[] {1, 28}, Arrays.copyOfRange(chart.series().get(0).x(), 6, 8));
         assertArrayEquals(new double[] {2, 2}, Arrays.copyOfRange(chart.series().get(0).y(), 6, 8));
-        assertEquals("Cohesion makes a step of springs more than 5 times as long; all else less than 3 times",
-                chart.title());
     }
 
     @Test

@@ -8,6 +8,7 @@ import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.plain;
 
+import deSolvers.catalog.SolverCatalog;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
@@ -40,13 +41,17 @@ import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameRenderer.FrameSetup;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Series;
+import particles.view.Series.Mark;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
 
 class RaceFilmTest {
+    private static final Look RK4 = Look.of(SolverCatalog.info("rk4"));
+
     private static final int EMPTY = 0xe0e0f0;
     private static final int BALL = 0x404040;
 
@@ -103,22 +108,22 @@ class RaceFilmTest {
 
     @Test
     void markStandsOnTheLastPointAndNotBehindTheEndOfALine() {
-        Series series = new Series("rk4", Mark.LINE, new double[] {0, 1, 2}, new double[] {5, 6, 7});
+        Series series = new Series(RK4, "rk4", Mark.LINE, new double[] {0, 1, 2}, new double[] {5, 6, 7});
         assertEquals(0, StripChart.at(series, 0.5));
         assertEquals(2, StripChart.at(series, 2));
         assertEquals(-1, StripChart.at(series, 2.1));
-        assertEquals(-1, StripChart.at(new Series("rk4", Mark.LINE, new double[0], new double[0]), 0));
+        assertEquals(-1, StripChart.at(new Series(RK4, "rk4", Mark.LINE, new double[0], new double[0]), 0));
     }
 
     /** The one that fails half way is in all frames; the film has those of the reference. */
     @Test
     void filmIsAsLongAsTheReference(@TempDir Path top) throws IOException {
-        ChartData strip = strip();
+        Chart strip = strip();
         int parts;
         try (OutputFolder folder = OutputFolder.open(top.resolve("race")); RaceFilm film = new RaceFilm(2, 1, 5, 10)) {
             falling(0.01, film.watch(Optional.empty(), stage())).run();
-            falling(0.25, film.watch(Optional.of("rk4"), stage())).run();
-            Simulation fails = falling(0.25, film.watch(Optional.of("euler"), stage()));
+            falling(0.25, film.watch(Optional.of(RK4), stage())).run();
+            Simulation fails = falling(0.25, film.watch(Optional.of(Look.OWN), stage()));
             fails.addObserver(new Observer() {
                 @Override
                 public void moved(particles.Motion motion) {
@@ -129,9 +134,10 @@ class RaceFilmTest {
             });
             int[] heard = new int[1];
             assertEquals(0.75, assertThrows(SimulationException.class, fails::run).getTime());
-            RaceFilm.Head head = new RaceFilm.Head("A fall", "rk4 wins", "grey", List.of(
-                    new RaceFilm.Words("rk4", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.empty()),
-                    new RaceFilm.Words("euler", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.of(0.75))));
+            RaceFilm.Head head = new RaceFilm.Head("A fall", "grey", List.of(
+                    new RaceFilm.Words("rk4", RK4, "0.1 m", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.empty()),
+                    new RaceFilm.Words("mine", Look.OWN, "", "deltaT = 0.25 s, 16 evaluations",
+                            OptionalDouble.of(0.75))));
             film.write(folder, head, strip, part -> heard[0]++);
             new ChartWriter(folder, new ChartFormat(false, true, false)).write("race.png", film.sheet(head, strip));
             parts = heard[0];
@@ -189,8 +195,8 @@ class RaceFilmTest {
                     BufferedImage.TYPE_INT_RGB);
             Graphics2D g = film.createGraphics();
             g.scale(RaceFilm.SCALE, RaceFilm.SCALE);
-            RaceFilm.Words words = new RaceFilm.Words("rk4", "", OptionalDouble.empty());
-            page.draw(g, new RaceFilm.Head("", "", "", Collections.nCopies(count, words)), 0, panels, chart);
+            RaceFilm.Words words = new RaceFilm.Words("rk4", RK4, "", "", OptionalDouble.empty());
+            page.draw(g, new RaceFilm.Head("", "", Collections.nCopies(count, words)), 0, panels, chart);
             g.dispose();
             List<Integer> all = pixels(film, 0, film.getHeight());
             for (BufferedImage panel : panels) {        // but for its edge, on which the frame is drawn
@@ -209,8 +215,8 @@ class RaceFilmTest {
         return Arrays.stream(image.getRGB(0, y, width, rows, null, 0, width)).boxed().toList();
     }
 
-    private static ChartData strip() {
-        return new ChartData("", "time (s)", "|energy error| / scale", false, true,
-                List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {1e-3, 1e-2})));
+    private static Chart strip() {
+        return new Chart(Axis.TIME, Axis.log("|energy error|", "%"),
+                List.of(new Series(RK4, "rk4", Mark.LINE, new double[] {0, 1}, new double[] {1e-3, 1e-2})));
     }
 }

@@ -5,7 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import particles.output.charts.PageRecorder.Text;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Panel;
 
 /** What is wrong with the layout of a page: a line for each fault. */
 public final class Layout {
@@ -52,9 +53,8 @@ public final class Layout {
             layout.texts.stream().filter(text -> text.size() < TYPE * page.height())
                     .forEach(text -> layout.faults.add(text.text() + ": type of " + text.size()));
         }
-        if (panels.stream().anyMatch(panel -> panel.title().isBlank() || panel.charts().stream()
-                .anyMatch(chart -> panel.title().equals(chart.yLabel())))) {
-            layout.faults.add("no finding, but '" + panels.get(0).title() + "'");
+        if (panels.stream().anyMatch(panel -> panel.title().isBlank())) {
+            layout.faults.add("no title");
         }
         return layout.faults;
     }
@@ -151,12 +151,12 @@ public final class Layout {
         if (charts.isEmpty()) {
             return;                                     // a race: pictures of its scene
         }
-        ChartData first = charts.get(0).charts().get(0);
-        if (charts.stream().map(panel -> panel.charts().get(0)).allMatch(chart -> chart.xLabel().equals(first.xLabel())
-                && chart.yLabel().equals(first.yLabel()) && chart.rows().isEmpty())
+        Chart first = charts.get(0).charts().get(0);
+        if (charts.stream().map(panel -> panel.charts().get(0)).allMatch(chart -> chart.x().equals(first.x())
+                && chart.y().equals(first.y()) && chart.rows().isEmpty())
                 && charts.stream().allMatch(panel -> panel.field().isEmpty())
                 && charts.stream().anyMatch(panel -> !panel.charts().get(0).scale().equals(first.scale()))) {
-            faults.add("panels of " + first.yLabel() + " over " + first.xLabel() + " differ in scale");
+            faults.add("panels of " + first.y() + " over " + first.x() + " differ in scale");
         }
         boolean equal = charts.size() > 1 && charts.stream().allMatch(panel -> panel.charts().get(0).scale().equals(
                 first.scale()) && panel.charts().get(0).rows().isEmpty());

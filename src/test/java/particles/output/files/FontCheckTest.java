@@ -20,13 +20,14 @@ import particles.law.Vector3;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
-import particles.output.charts.Panel;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
+import particles.view.Axis;
 import particles.view.Camera;
-import particles.view.ChartData;
+import particles.view.Chart;
+import particles.view.Panel;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
@@ -55,7 +56,7 @@ class FontCheckTest {
                 for (int k = 0; k < 2; k++) {
                     try {
                         new ChartWriter(folder, ChartFormat.PAGE).write("chart.png",
-                                ChartPage.of(Panel.chart(new ChartData("t", "x", "y", false, false, List.of())),
+                                ChartPage.of(Panel.of("t", List.of(new Chart(Axis.TIME, Axis.TIME, List.of()))),
                                         ChartFormat.PAGE));
                     } catch (OutputException e) {
                         System.out.println(e.getMessage());

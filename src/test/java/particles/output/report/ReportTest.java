@@ -33,16 +33,18 @@ import org.junit.jupiter.api.io.TempDir;
 import org.xml.sax.SAXException;
 import particles.Xml;
 import particles.output.charts.ChartFormat;
-import particles.output.charts.Panel;
 import particles.output.files.Disk;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report.Section;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 class ReportTest {
     private static final String NASTY = "A \"chain\" <b>&amp; co</b> ]]> \u0001 \ud83d\ude80 \u03c9\u00b2";
@@ -59,12 +61,13 @@ class ReportTest {
 
     @BeforeAll
     static void write() throws IOException, SAXException, ParserConfigurationException {
-        ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false,
-                List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
+        Axis height = Axis.linear("height", "m");
+        Panel chart = Panel.of("falls", List.of(new Chart(Axis.TIME, height, List.of(new Series(Look.OWN, NASTY,
+                Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25}).ending(height)))));
         DataTable many = new DataTable("costs", "All", List.of(DataTable.column("n")),
                 Collections.nCopies(200, List.of((Object) 7)));
         ResultPage fall = new ResultPage("fall", NASTY, List.of("First.", NASTY),
-                List.of(Picture.of("height", NASTY, Panel.chart(chart)), Picture.made("animation.gif", "It moves.")),
+                List.of(Picture.of("height", NASTY, chart), Picture.made("animation.gif", "It moves.")),
                 List.of(COST, many));
         List<Section> sections = new ArrayList<>();
         for (String name : List.of("fall", "fallToo")) {
@@ -178,6 +181,22 @@ class ReportTest {
         links.forEach(link -> assertTrue(ids.contains(link.substring(1)), link));
     }
 
+    /** Once in a table below the chart: its quantity, the names of its lines, and their numbers. */
+    @Test
+    void numbersAtTheEndsOfLinesStandBelowTheChart() {
+        String table = "//section[1]//table[@class='ends']";
+        assertEquals(List.of("height (m)", NASTY.replace('\u0001', '\ufffd')), page.all(table + "//th"));
+        assertEquals(List.of("-0.25 m"), page.all(table + "//td"));
+    }
+
+    /** One landmark for the whole page, and commands that a browser does not break at their hyphens. */
+    @Test
+    void thePageHasALandmarkAndWholeCommands() {
+        assertEquals(3, page.all("/html/body/main/section").size());
+        assertEquals("gradle fall", page.all("//span[@class='command']").get(0));
+        assertHas(ReportStyle.CSS, ".command { white-space: nowrap; }");
+    }
+
     /** A control character may not be in a page, in whatever form. */
     @Test
     void textIsEscaped() {
@@ -186,12 +205,12 @@ class ReportTest {
             assertEquals(shown, page.one(place), place);
         }
         assertEquals(List.of(), page.all("//b"));
-        assertEquals("solver <name>", page.all("//th").get(0));
+        assertEquals("solver <name>", page.all("//th[button]").get(0));
     }
 
     @Test
     void tablesHaveTheNumbersOfTheRecords() {
-        String table = "(//table)[1]";
+        String table = "(//table[@id])[1]";
         assertEquals(List.of("error (m)", "evaluations"), page.all(table + "//th[@class = 'number']"));
         assertEquals(3, page.all(table + "//th[count(.//button) = 1]").size(), "to sort by");
         assertEquals(List.of("rk4 & co", "1.235e-7", "400", "euler", "\u2013", "12345678"), page.all(table + "//td"));
@@ -225,10 +244,10 @@ class ReportTest {
         assertEquals(List.of("animation", "animation"), page.all("//figure[contains(@id, '.gif')]/@class"));
         assertEquals(List.of(), page.all("//figure[not(contains(@id, '.gif'))]/@class"));
         try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
-            ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false, List.of());
+            Panel chart = Panel.of("falls", List.of(new Chart(Axis.TIME, Axis.TIME, List.of())));
             ResultPage panels = new ResultPage("wide", "Wide", List.of(),
                     List.of(Picture.panels("many", "Many.", "Many",
-                    Collections.nCopies(2, Panel.chart(chart)))), List.of());
+                    Collections.nCopies(2, chart))), List.of());
             panels.write(folder, ChartFormat.PAGE);
             new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.", top.resolve("wide"), 1,
                     Optional.of(panels), Optional.empty())), "The end.").write(folder, "report.html");

@@ -13,20 +13,23 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.experiments.runs.SolverChoice;
 import particles.output.charts.ChartFormat;
-import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.output.report.Picture.Role;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.DataTable;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 class ResultPageTest {
+    private static final Axis HEIGHT = Axis.linear("height", "m");
     private static final DataTable TABLE = new DataTable("cost", "What it costs", List.of(DataTable.column("solver"),
             DataTable.column("error (m)"), DataTable.column("evaluations")),
             List.of(List.of("rk4, \"old\"", 1.23456789e-7, 400L), List.of("a|b", Double.NaN, 12_345_678L)));
@@ -69,12 +72,13 @@ class ResultPageTest {
 
     @Test
     void pageIsPicturesTheirNumbersTablesAndText(@TempDir Path path) throws IOException {
-        ChartData data = new ChartData("falls", "time (s)", "height (m)", false, false,
-                List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
+        Chart data = new Chart(Axis.TIME, HEIGHT, List.of(new Series(Look.OWN, "ball", Mark.LINE,
+                new double[] {0, 0.5}, new double[] {1, -0.25}).ending(HEIGHT)));
+        Panel falls = Panel.of("falls", List.of(data)).answered("-0.25 m");
         ResultPage page = new ResultPage("fall", "It falls", List.of("As all does."), List.of(
-                Picture.of("height", "Height over time.", Panel.chart(data)),
+                Picture.of("height", "Height over time.", falls),
                 Picture.panels("both", "Twice.", "Two",
-                List.of(Panel.chart(data), Panel.phase(data, Optional.empty())))), List.of(TABLE));
+                List.of(falls, Panel.phase("falls", data, Optional.empty())))), List.of(TABLE));
         try (OutputFolder folder = OutputFolder.open(path.resolve("fall"))) {
             page.write(folder, ChartFormat.PAGE);
         }
@@ -85,6 +89,12 @@ class ResultPageTest {
         String text = Files.readString(made.resolve("fall.md"));
         assertStarts(text, "# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n");
         assertHas(text, """
+                falls: -0.25 m
+
+                | height (m) | ball |
+                | --- | ---: |
+                | | -0.25 m |
+                """, """
                 | solver | error (m) | evaluations |
                 | --- | ---: | ---: |
                 | rk4, "old" | 1.235e-7 | 400 |
@@ -93,44 +103,54 @@ class ResultPageTest {
         assertTrue(Files.size(made.resolve("height.png")) > 1000 && Files.size(made.resolve("both.png")) > 1000);
     }
 
-    /** Seven solvers are two families here: a panel each, and every curve once. */
+    private static Series curve(String solver, double y) {
+        return new Series(SolverChoice.of(solver).look(), solver, Mark.LINE, new double[] {0, 1}, new double[] {1, y});
+    }
+
+    private static List<List<String>> names(Picture picture) {
+        return picture.panels().stream().map(panel -> panel.charts().stream().flatMap(chart -> chart.series().stream())
+                .map(Series::name).toList()).toList();
+    }
+
+    /** Seven solvers are two groups here: a panel each, on the same axes, and every curve and its cross once. */
     @Test
-    void tooManyCurvesForOnePanelAreShownByFamilies() {
-        List<Series> series = new ArrayList<>();
-        for (String solver : List.of("euler", "midpoint", "rk4", "adams", "verlet", "yoshida4")) {
-            series.add(new Series(solver, Mark.LINE, new double[] {0, 1}, new double[] {1, series.size()}));
-        }
-        Picture six = picture(List.copyOf(series));
+    void tooManyCurvesForOnePanelAreShownByGroups() {
+        List<Series> series = new ArrayList<>(Stream.of("euler", "midpoint", "rk4", "adams", "verlet", "yoshida4")
+                .map(solver -> curve(solver, solver.length())).toList());
+        Picture six = Picture.of("many", "", Panel.of("t", List.of(new Chart(Axis.TIME, HEIGHT, List.copyOf(series)))));
         assertEquals(List.of(six), six.laidOut(ChartFormat.PAGE));
-        series.add(new Series("symplectic-euler", Mark.LINE, new double[] {0, 1}, new double[] {2, 2}));
-        series.add(new Series("stopped", Mark.FAILURES, new double[] {1}, new double[] {2}));
-        List<Picture> pages = picture(series).laidOut(ChartFormat.PAGE);
-        assertEquals(1, pages.size());
-        assertEquals(List.of(List.of("euler", "midpoint", "rk4", "adams", "stopped"),
-                List.of("verlet", "yoshida4", "symplectic-euler", "stopped")),
-                pages.get(0).data().stream().map(data -> data.series().stream().map(Series::name).toList()).toList());
-        List<Picture> slides = six.laidOut(new ChartFormat(true, false, false));
-        assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
-        assertEquals(List.of("t (explicit, fixed step)", "t (symplectic)"),
-                slides.stream().map(slide -> slide.data().get(0).title()).toList());
-        series.set(7, Series.point("mine.HeunSolver", Mark.LINE, 1, 1));
-        assertEquals("t (symplectic and your own)", picture(series).laidOut(new ChartFormat(true, false, false)).get(1)
-                .data().get(0).title());
+        series.add(curve("symplectic-euler", 2));
+        series.add(Series.point(SolverChoice.of("euler").look(), "stopped", Mark.FAILURES, 1, 2));
+        Chart chart = new Chart(Axis.TIME, HEIGHT, series);
+        Chart never = new Chart(Axis.TIME, Axis.linear("never", ""), List.of(
+                Series.point(SolverChoice.of("euler").look(), "unstable", Mark.FAILURES, 1, 0),
+                Series.point(SolverChoice.of("verlet").look(), "unstable", Mark.FAILURES, 1, 1)))
+                .inRows(List.of("euler", "verlet"));
+        List<Picture> pages = Picture.of("many", "", Panel.of("t", List.of(chart, never, chart.named("again"))))
+                .laidOut(ChartFormat.PAGE);
+        assertEquals(List.of("many", "many-again"), pages.stream().map(Picture::name).toList());
+        assertEquals(List.of(List.of("euler", "midpoint", "rk4", "adams", "stopped", "unstable"),
+                List.of("verlet", "yoshida4", "symplectic-euler", "unstable")), names(pages.get(0)));
+        assertEquals(List.of("explicit, fixed step", "symplectic"), pages.get(0).panels().stream().map(Panel::title)
+                .toList());
+        Chart rows = pages.get(0).panels().get(1).charts().get(1);
+        assertEquals(List.of("verlet"), rows.rows());
+        assertEquals(0, rows.series().get(0).y()[0], "the row is the first one now");
+        assertEquals(series, pages.get(0).panels().get(0).charts().get(0).scale(), "on the axes of all");
     }
 
-    /** The size of a quantity is another one: |y| in the first picture, y in the second. */
+    /** The solvers asked for come first; a solver of one's own is one of the five. */
     @Test
-    void eachPictureOfFamiliesHasOneQuantity() {
-        List<Series> series = Stream.of("euler", "midpoint", "rk4", "adams", "verlet", "yoshida4", "radau")
-                .map(solver -> Series.point(solver, Mark.LINE, 1, 1)).toList();
-        Picture two = Picture.bySolver("many", "", series, Series::name, some -> Stream.of("|y|", "y").map(quantity ->
-                new ChartData("t", "x", quantity, false, false, some)).toList());
-        assertEquals(List.of(Set.of("|y|"), Set.of("y")), two.laidOut(ChartFormat.PAGE).stream().map(page ->
-                page.data().stream().map(ChartData::yLabel).collect(Collectors.toSet())).toList());
-    }
-
-    private static Picture picture(List<Series> series) {
-        return Picture.bySolver("many", "", series, Series::name, some -> List.of(new ChartData("t", "x", "y", false,
-                false, some)));
+    void slidesHaveFiveCurvesAtMostAndOneChartEach() {
+        List<Series> series = new ArrayList<>(Stream.of("euler", "midpoint", "rk4", "adams", "verlet", "radau")
+                .map(solver -> curve(solver, 1)).toList());
+        series.add(new Series(Look.OWN, "Mine", Mark.LINE, new double[] {0}, new double[] {1}));
+        Chart chart = new Chart(Axis.TIME, HEIGHT, series);
+        List<Picture> slides = Picture.of("many", "", Panel.of("t", List.of(chart, chart.named("again"))))
+                .first(List.of("radau", "rk4")).laidOut(new ChartFormat(true, false, false));
+        assertEquals(List.of("many", "many-again"), slides.stream().map(Picture::name).toList());
+        assertEquals(List.of(List.of("euler", "midpoint", "rk4", "radau", "Mine")), names(slides.get(0)));
+        assertEquals(List.of(), Picture.panels("all", "", "t", slides.get(0).panels()).as(Role.WHOLE)
+                .laidOut(new ChartFormat(true, false, false)));
     }
 }

@@ -28,8 +28,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
-import particles.view.ChartData;
-import particles.view.ChartData.Series;
+import particles.view.Chart;
+import particles.view.Series;
 
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {
@@ -76,7 +76,7 @@ class StabilityFiguresTest {
         return Double.parseDouble(value(figures, "real limit"));
     }
 
-    private static Series series(ChartData chart, String name) {
+    private static Series series(Chart chart, String name) {
         return chart.series().stream().filter(series -> series.name().equals(name)).findFirst().orElseThrow();
     }
 
@@ -85,7 +85,7 @@ class StabilityFiguresTest {
      * it.
      */
     private static void assertCircle(StabilityFigures figures, double centre, double radius, boolean stableInside) {
-        ChartData chart = figures.region().orElseThrow();
+        Chart chart = figures.region().orElseThrow().charts().get(0);
         double[] outline = off(series(chart, "mine"), centre, radius);
         // a square of the net is radius/50 and is halved eight times
         assertTrue(Arrays.stream(outline).allMatch(off -> Math.abs(off) < 1e-3 * radius), Arrays.toString(outline));
@@ -139,7 +139,7 @@ class StabilityFiguresTest {
         StabilityFigures figures = figures(() -> theta(0.5));
         assertEquals("unbounded", value(figures, "real limit"));
         assertEquals("unbounded", value(figures, "imaginary limit"));
-        ChartData region = figures.region().orElseThrow();
+        Chart region = figures.region().orElseThrow().charts().get(0);
         assertTrue(region.series().stream().anyMatch(series -> series.name().equals("implicit-midpoint")),
                 "the nearest built-in solver");
     }
@@ -160,7 +160,7 @@ class StabilityFiguresTest {
         assertEquals(2, Double.parseDouble(value(figures, "imaginary limit")), 5e-8);
         // critically damped: 4 - h^2 - 4 h = 0
         assertEquals(2 * Math.sqrt(2) - 2, Double.parseDouble(value(figures, "damped limit")), 5e-8);
-        ChartData region = figures.region().orElseThrow();
+        Chart region = figures.region().orElseThrow().charts().get(0);
         // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached
         // at 4 = q + 2 g, where q = |z|^2 and g = -2 Re z
         Series outline = series(region, "mine");
@@ -203,7 +203,7 @@ class StabilityFiguresTest {
             });
         }, true);
         assertEquals(2, damping(figures), 1e-4);
-        ChartData region = figures.region().orElseThrow();
+        Chart region = figures.region().orElseThrow().charts().get(0);
         double[] x = series(region, "mine").x();
         double[] y = series(region, "mine").y();
         // a square of the net is 0.11, halved eight times

@@ -1,8 +1,6 @@
 package particles.output.charts;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
@@ -13,14 +11,21 @@ import java.util.List;
 import java.util.Set;
 import org.jfree.chart.renderer.xy.XYItemRenderer;
 import org.junit.jupiter.api.Test;
-import particles.view.ChartData;
-import particles.view.ChartData.Mark;
-import particles.view.ChartData.Series;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
-class SolverStyleTest {
+/** The looks of the catalogue's solvers, which are distinct for all eyes. */
+class SolverLookTest {
+    private static Look look(String name) {
+        return Look.of(SolverCatalog.info(name));
+    }
 
-    private static SolverStyle look(String name) {
-        return SolverStyle.of(name).orElseThrow(() -> new AssertionError("no look for " + name));
+    private static Color colour(String name) {
+        return new Color(look(name).rgb());
     }
 
     @Test
@@ -28,9 +33,8 @@ class SolverStyleTest {
         Set<List<Object>> lines = new HashSet<>();
         Set<List<Object>> points = new HashSet<>();
         for (String name : SolverCatalog.names()) {
-            SolverStyle look = look(name);
-            assertTrue(lines.add(List.of(look.colour(), look.stroke())), name);
-            assertTrue(points.add(List.of(look.colour(), look.shape())), name);
+            assertTrue(lines.add(List.of(colour(name), ChartStyle.stroke(look(name).variant()))), name);
+            assertTrue(points.add(List.of(colour(name), ChartStyle.shape(look(name).variant()))), name);
         }
     }
 
@@ -48,7 +52,8 @@ class SolverStyleTest {
     void aFamilyIsToldApartWithAnyColourVisionAndInGreyPrint() {
         for (String one : SolverCatalog.names()) {
             for (String other : SolverCatalog.names()) {
-                if (one.compareTo(other) < 0 && look(one).family() == look(other).family()) {
+                if (one.compareTo(other) < 0 && SolverCatalog.info(one).family().group()
+                        == SolverCatalog.info(other).family().group()) {
                     for (double[][] vision : VISION) {
                         double[] a = lab(look(one).rgb(), vision);
                         double[] b = lab(look(other).rgb(), vision);
@@ -84,30 +89,16 @@ class SolverStyleTest {
     }
 
     @Test
-    void aSeriesNameBeginsWithTheWholeNameOfItsSolver() {
-        assertEquals(look("rk4"), look("rk4, deltaT = 0.1 s"));
-        assertNotEquals(look("euler"), look("symplectic-euler"));
-        for (String other : new String[] {"rk45", "eulerian", "kinetic energy", "", "-rk4", "my.own.Solver"}) {
-            assertFalse(SolverStyle.of(other).isPresent(), other);
-        }
-    }
-
-    @Test
-    void aSolverLooksTheSameWhereverItStandsAndWhatIsNoneIsGreyBesideIt() {
-        Series line = new Series("order 4", Mark.LINE, new double[] {1, 2}, new double[] {1, 2});
-        Series rk4 = new Series("rk4", Mark.LINE_AND_POINTS, new double[] {1, 2}, new double[] {1, 3});
-        Series verlet = new Series("verlet (damped)", Mark.LINE, new double[] {1, 2}, new double[] {1, 4});
-        XYItemRenderer renderer = Charts.of(Panel.chart(
-                new ChartData("", "", "", false, false, List.of(line, rk4, verlet))))
-                .getXYPlot().getRenderer();
-        assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(0));
-        assertEquals(ChartStyle.AXIS, SolverStyle.orGrey("MySolver").colour());
-        assertEquals(look("verlet").colour(), renderer.getSeriesPaint(1), "without dashes, so below those with some");
-        assertEquals(look("verlet").stroke(), renderer.getSeriesStroke(1));
-        assertEquals(look("rk4").colour(), renderer.getSeriesPaint(2));
-        assertEquals(look("rk4").shape(), renderer.getSeriesShape(2));
-        XYItemRenderer alone = Charts.of(Panel.chart(
-                new ChartData("", "", "", false, false, List.of(line)))).getXYPlot().getRenderer();
-        assertEquals(ChartStyle.colour(0), alone.getSeriesPaint(0));
+    void aSolverLooksTheSameWhereverItStands() {
+        Series line = new Series(Look.REFERENCE, "order 4", Mark.LINE, new double[] {1, 2}, new double[] {1, 2});
+        Series rk4 = new Series(look("rk4"), "rk4", Mark.LINE_AND_POINTS, new double[] {1, 2}, new double[] {1, 3});
+        Series verlet = new Series(look("verlet"), "verlet", Mark.LINE, new double[] {1, 2}, new double[] {1, 4});
+        XYItemRenderer renderer = Charts.of(Panel.of("", List.of(new Chart(Axis.TIME, Axis.TIME, List.of(line, rk4,
+                verlet)))), ChartStyle.TITLE, false).getXYPlot().getRenderer();
+        assertEquals(colour("verlet"), renderer.getSeriesPaint(0), "without dashes, so below those with some");
+        assertEquals(ChartStyle.stroke(0), renderer.getSeriesStroke(0));
+        assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(1));
+        assertEquals(colour("rk4"), renderer.getSeriesPaint(2));
+        assertEquals(ChartStyle.shape(look("rk4").variant()), renderer.getSeriesShape(2));
     }
 }

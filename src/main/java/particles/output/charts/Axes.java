@@ -1,0 +1,112 @@
+package particles.output.charts;
+
+import java.awt.Font;
+import java.awt.font.FontRenderContext;
+import java.text.NumberFormat;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.NumberTickUnitSource;
+import org.jfree.chart.axis.SymbolAxis;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.data.Range;
+import particles.output.files.FontCheck;
+import particles.view.Axis;
+
+/** Makes axes whose ticks, and so the room that they need, are known before they are drawn. */
+final class Axes {
+    static final NumberFormat NUMBERS = new NumberText();
+    private static final NumberTickUnitSource UNITS = new NumberTickUnitSource(false, NUMBERS);
+    private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
+    /** Values that differ by less than this part of their size differ by round-off, which needs no axis of its own. */
+    private static final double ROUNDING = 1e-13;
+    /** An axis that begins this near to zero, as a part of its end, begins at zero. */
+    private static final double NEAR_ZERO = 0.1;
+    /** The part of its range that an axis shows beyond the first and the last point, where marks need it. */
+    private static final double MARGIN = 0.05;
+    /** The height of a line of text with its margin. */
+    private static final double LINE = 20;
+
+    private Axes() {
+    }
+
+    /**
+     * @param values the range of the values; null, as in JFreeChart, if there are none
+     * @param tight  whether it ends at the first and last point
+     * @param most   the largest number of ticks
+     */
+    static ValueAxis of(Axis axis, Range values, boolean tight, int most) {
+        double margin = tight ? 0 : MARGIN;
+        ValueAxis made;
+        if (axis.log()) {
+            made = new DecadeAxis(values == null ? new Range(1, 1000) : decades(values, margin), most);
+        } else {
+            NumberAxis linear = new NumberAxis();
+            linear.setRange(values == null ? new Range(0, 1) : numbers(values, margin));
+            setTicks(linear, linear.getRange().getLength() / most);
+            made = linear;
+        }
+        made.setLabel(axis.label());
+        return made;
+    }
+
+    static void setTicks(NumberAxis axis, double least) {
+        axis.setTickUnit((NumberTickUnit) UNITS.getCeilingTickUnit(least));
+    }
+
+    private static Range decades(Range values, double margin) {
+        double low = Math.log10(values.getLowerBound());
+        double high = Math.log10(values.getUpperBound());
+        double beside = margin * (high - low) + (high - low < ROUNDING ? 0.5 : 0);
+        return new Range(Math.pow(10, low - beside), Math.pow(10, high + beside));
+    }
+
+    /** An axis shows more than round-off, and without margins zero, if it is near. */
+    private static Range numbers(Range values, double margin) {
+        double low = values.getLowerBound();
+        double high = values.getUpperBound();
+        double size = Math.max(Math.abs(low), Math.abs(high));
+        double least = size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL);
+        double beside = margin * (high - low) + Math.max(0, least - (high - low)) / 2;
+        return new Range(margin == 0 && low > 0 && low < NEAR_ZERO * high ? 0 : low - beside, high + beside);
+    }
+
+    /** @return an axis with a name for each row, the first one above */
+    static ValueAxis rows(String label, List<String> rows) {
+        SymbolAxis axis = new SymbolAxis(label, rows.toArray(new String[0]));
+        axis.setGridBandsVisible(false);
+        axis.setInverted(true);
+        axis.setRange(-0.8, rows.size() - 0.2);
+        return axis;
+    }
+
+    /** @return the room for a text, in pixels of the layout; 0 on a machine without fonts, which draws no chart */
+    static double width(Font font, String text) {
+        return FontCheck.isAvailable() ? font.getStringBounds(text, FONTS).getWidth() : 0;
+    }
+
+    /** @return the room of an axis below a chart */
+    static AxisSpace below() {
+        AxisSpace space = new AxisSpace();
+        space.setBottom(2 * LINE);
+        return space;
+    }
+
+    /** @return the room that an axis beside a chart needs at the left */
+    static double left(ValueAxis axis) {
+        Stream<String> labels = axis instanceof SymbolAxis rows ? Arrays.stream(rows.getSymbols())
+                : (axis instanceof DecadeAxis log ? DoubleStream.of(log.getTicks()) : ticks((NumberAxis) axis))
+                        .mapToObj(NUMBERS::format);
+        return LINE + 10 + labels.mapToDouble(label -> width(ChartStyle.TICKS, label)).max().orElse(0);
+    }
+
+    private static DoubleStream ticks(NumberAxis axis) {
+        double unit = axis.getTickUnit().getSize();
+        return DoubleStream.iterate(Math.ceil(axis.getLowerBound() / unit), k -> k * unit <= axis.getUpperBound(),
+                k -> k + 1).map(k -> k * unit);
+    }
+}

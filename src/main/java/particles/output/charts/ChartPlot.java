@@ -1,0 +1,147 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Comparator;
+import java.util.List;
+import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.PlotRenderingInfo;
+import org.jfree.chart.plot.PlotState;
+import org.jfree.chart.plot.SeriesRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.Range;
+import org.jfree.data.general.DatasetUtils;
+import particles.view.Chart;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
+
+/** The plot of a chart: it keeps circles round, and draws names at the ends of lines. */
+final class ChartPlot extends XYPlot {
+    private static final long serialVersionUID = 1L;
+    /** With equal units an axis shows at most this many times its range; beyond that the chart gets smaller. */
+    private static final double WIDENED = 1.12;
+    /** Axes whose ranges differ by less than this factor have equal units. */
+    private static final double ALIKE = 1.34;
+
+    final transient EndLabels ends;
+    private final Panel.Kind kind;
+    private final AxisSpace beside = new AxisSpace();
+    private boolean round;
+    private transient Range x;
+    private transient Range y;
+
+    /**
+     * @param ticks the largest number of ticks along x
+     * @param high  the largest number of ticks along y
+     */
+    ChartPlot(Chart chart, Panel.Kind kind, int ticks, int high) {
+        this.kind = kind;
+        List<Series> layers = chart.series().stream().sorted(Comparator.comparing(ChartPlot::layer)).toList();
+        ChartDataset dataset = new ChartDataset(chart, layers);
+        setDataset(dataset);
+        setDomainAxis(Axes.of(chart.x(), shown(chart, true), kind == Panel.Kind.MAP || onlyLines(chart), ticks));
+        setRangeAxis(chart.rows().isEmpty() ? Axes.of(chart.y(), shown(chart, false), kind == Panel.Kind.MAP, high)
+                : Axes.rows(chart.y().label(), chart.rows()));
+        setRenderer(SeriesRenderer.of(layers, kind == Panel.Kind.PHASE));
+        setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
+        setDomainGridlineStroke(new BasicStroke(0.7f));
+        setRangeGridlineStroke(new BasicStroke(0.7f));
+        setInsets(RectangleInsets.ZERO_INSETS);
+        setFixedDomainAxisSpace(Axes.below());
+        ends = new EndLabels(this, kind == Panel.Kind.CHART);
+        setRoom(Axes.left(getRangeAxis()), ends.width());
+        setRanges();
+    }
+
+    /** Through dashes the line below is seen; marks are on top. */
+    private static int layer(Series series) {
+        return series.mark() == Mark.BAND ? 0 : !series.mark().isCurve() ? 3 : series.look().variant() == 0 ? 1 : 2;
+    }
+
+    /** The range of the values that an axis shows; null if there are none, as JFreeChart expects. */
+    static Range shown(Chart chart, boolean x) {
+        ChartDataset scale = new ChartDataset(chart, chart.scale());
+        return x ? DatasetUtils.findDomainBounds(scale) : DatasetUtils.findRangeBounds(scale);
+    }
+
+    static boolean onlyLines(Chart chart) {
+        return chart.scale().stream().allMatch(series -> series.mark() == Mark.LINE || series.mark() == Mark.FAILURES);
+    }
+
+    /** Takes the ranges of the axes for those that are to be shown. */
+    void setRanges() {
+        x = getDomainAxis().getRange();
+        y = getRangeAxis().getRange();
+        round = kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE && areAlike(x, y);
+        if (round) {                                    // where units are equally long, both axes have the same ticks
+            double least = Math.max(x.getLength(), y.getLength()) / 7;
+            Axes.setTicks((NumberAxis) getDomainAxis(), least);
+            Axes.setTicks((NumberAxis) getRangeAxis(), least);
+        }
+    }
+
+    static boolean areAlike(Range x, Range y) {
+        return x.getLength() < ALIKE * y.getLength() && y.getLength() < ALIKE * x.getLength();
+    }
+
+    /** @return whether a unit along x is as long as one along y */
+    boolean isRound() {
+        return round;
+    }
+
+    /** Sets the room at the left, for the axis, and at the right, for the names of lines. */
+    void setRoom(double left, double right) {
+        beside.setLeft(left);
+        beside.setRight(right);
+        setFixedRangeAxisSpace(beside);
+    }
+
+    AxisSpace getRoom() {
+        return beside;
+    }
+
+    /** Charts above each other forget their fixed room before they take the largest of all. */
+    @Override
+    protected AxisSpace calculateRangeAxisSpace(Graphics2D g, Rectangle2D area, AxisSpace space) {
+        return getFixedRangeAxisSpace() == null ? beside : super.calculateRangeAxisSpace(g, area, space);
+    }
+
+    @Override
+    public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, PlotState state, PlotRenderingInfo info) {
+        super.draw(g, round ? rounded(area) : area, anchor, state, info);
+    }
+
+    /** The part of the area in which circles are round; axes are widened a little to fill more of it. */
+    private Rectangle2D rounded(Rectangle2D area) {
+        double width = area.getWidth() - beside.getLeft() - beside.getRight();
+        double height = area.getHeight() - getFixedDomainAxisSpace().getBottom();
+        double pixels = Math.min(width / x.getLength(), height / y.getLength());
+        widen(getDomainAxis(), x, width / pixels);
+        widen(getRangeAxis(), y, height / pixels);
+        double across = getDomainAxis().getRange().getLength();
+        double up = getRangeAxis().getRange().getLength();
+        pixels = Math.min(width / across, height / up);
+        double dx = width - pixels * across;
+        double dy = height - pixels * up;
+        return new Rectangle2D.Double(area.getX() + dx / 2, area.getY() + dy / 2, area.getWidth() - dx,
+                area.getHeight() - dy);
+    }
+
+    /** A map ends where it was computed. */
+    private void widen(ValueAxis axis, Range range, double length) {
+        double half = Math.min(length, (kind == Panel.Kind.MAP ? 1 : WIDENED) * range.getLength()) / 2;
+        axis.setRange(range.getCentralValue() - half, range.getCentralValue() + half);
+    }
+
+    @Override
+    public void drawOutline(Graphics2D g, Rectangle2D area) {
+        super.drawOutline(g, area);
+        ends.draw(g, area);
+    }
+}
