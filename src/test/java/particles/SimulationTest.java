@@ -235,7 +235,7 @@ class SimulationTest {
         simulation.addObserver(energy);
         assertThrows(SimulationException.class, simulation::run);
         assertFalse(energy.hasGrown());
-        assertArrayEquals(new double[] {2}, energy.chart("").series().get(0).y());
+        assertArrayEquals(new double[] {2}, energy.chart().series().get(0).y());
     }
 
     @Test

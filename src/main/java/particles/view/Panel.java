@@ -1,5 +1,6 @@
 package particles.view;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -48,6 +49,18 @@ public record Panel(String name, String title, String answer, List<Chart> charts
     /** @return the panel with a line below its title */
     public Panel answered(String answer) {
         return new Panel(name, title, answer, charts, kind, field);
+    }
+
+    /** @return each chart of a quantity, with the rows below it */
+    public List<List<Chart>> parts() {
+        List<List<Chart>> parts = new ArrayList<>();
+        for (Chart chart : charts) {
+            if (parts.isEmpty() || chart.rows().isEmpty()) {
+                parts.add(new ArrayList<>());
+            }
+            parts.get(parts.size() - 1).add(chart);
+        }
+        return parts;
     }
 
     /** @return the panel with other charts */

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.energy.EnergyRecorder;
 import particles.energy.Resolution;
-import particles.experiments.phase.Axis;
+import particles.experiments.phase.Coordinate;
 import particles.experiments.phase.PhasePortraits;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
@@ -196,7 +196,7 @@ class BriefForcesTest {
     @Test
     void theReferenceOfPhasePortraitsHitsThePost() {
         List<List<Object>> rows = PhasePortraits.compare(scene(POST.replace("X", "-1"), "rk4"),
-                SolverChoice.list("verlet"), List.of("b"), List.of(Axis.X), Optional.empty(), (part, what) -> { })
+                SolverChoice.list("verlet"), List.of("b"), List.of(Coordinate.X), Optional.empty(), (part, what) -> { })
                 .table().rows();
         assertEquals(3.53320696, (Double) rows.get(1).get(3), 1e-6);        // the reference; measured 1e-7
         assertTrue((Double) rows.get(0).get(5) > 5, "verlet passes");

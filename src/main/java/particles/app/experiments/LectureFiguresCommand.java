@@ -11,7 +11,6 @@ import particles.experiments.lecture.LectureFigures.Result;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
-import particles.output.report.Picture.Role;
 import particles.output.report.ResultPage;
 import particles.view.Panel;
 import picocli.CommandLine.Command;
@@ -75,16 +74,16 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                 Optional.of(LectureFigures.field(1.5))).answered("each solution is a circle");
         List<Panel> panels = new ArrayList<>(List.of(alone));
         List<Picture> pictures = new ArrayList<>(List.of(Picture.of("vector-field",
-                "The vector field of x'' = -x, and the one solution through (1, 0).", alone).as(Role.REPEATS)));
+                "The vector field of x'' = -x, and the one solution through (1, 0).", alone).again()));
         for (Result result : results) {
             Panel panel = Panel.phase(title(result.figure()), LectureFigures.chart(result),
                     Optional.of(LectureFigures.field(LectureFigures.reach(result)))).answered(answer(result));
             panels.add(panel);
-            pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).as(Role.REPEATS));
+            pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
         }
         String title = "The slides' figures: x'' = \u2212x in state space";
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", title,
-                panels).as(Role.WHOLE));
+                panels));
         return new ResultPage(name(), title, List.of("""
                         The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
                         circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \

@@ -8,7 +8,6 @@ import java.util.Comparator;
 import java.util.List;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
-import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.PlotRenderingInfo;
 import org.jfree.chart.plot.PlotState;
 import org.jfree.chart.plot.SeriesRenderingOrder;
@@ -24,8 +23,6 @@ import particles.view.Series.Mark;
 /** The plot of a chart: it keeps circles round, and draws names at the ends of lines. */
 final class ChartPlot extends XYPlot {
     private static final long serialVersionUID = 1L;
-    /** With equal units an axis shows at most this many times its range; beyond that the chart gets smaller. */
-    private static final double WIDENED = 1.12;
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
 
@@ -33,8 +30,6 @@ final class ChartPlot extends XYPlot {
     private final Panel.Kind kind;
     private final AxisSpace beside = new AxisSpace();
     private boolean round;
-    private transient Range x;
-    private transient Range y;
 
     /**
      * @param ticks the largest number of ticks along x
@@ -76,8 +71,8 @@ final class ChartPlot extends XYPlot {
 
     /** Takes the ranges of the axes for those that are to be shown. */
     void setRanges() {
-        x = getDomainAxis().getRange();
-        y = getRangeAxis().getRange();
+        Range x = getDomainAxis().getRange();
+        Range y = getRangeAxis().getRange();
         round = kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE && areAlike(x, y);
         if (round) {                                    // where units are equally long, both axes have the same ticks
             double least = Math.max(x.getLength(), y.getLength()) / 7;
@@ -117,26 +112,17 @@ final class ChartPlot extends XYPlot {
         super.draw(g, round ? rounded(area) : area, anchor, state, info);
     }
 
-    /** The part of the area in which circles are round; axes are widened a little to fill more of it. */
+    /** The part of the area in which circles are round. */
     private Rectangle2D rounded(Rectangle2D area) {
-        double width = area.getWidth() - beside.getLeft() - beside.getRight();
-        double height = area.getHeight() - getFixedDomainAxisSpace().getBottom();
-        double pixels = Math.min(width / x.getLength(), height / y.getLength());
-        widen(getDomainAxis(), x, width / pixels);
-        widen(getRangeAxis(), y, height / pixels);
         double across = getDomainAxis().getRange().getLength();
         double up = getRangeAxis().getRange().getLength();
-        pixels = Math.min(width / across, height / up);
+        double width = area.getWidth() - beside.getLeft() - beside.getRight();
+        double height = area.getHeight() - getFixedDomainAxisSpace().getBottom();
+        double pixels = Math.min(width / across, height / up);
         double dx = width - pixels * across;
         double dy = height - pixels * up;
         return new Rectangle2D.Double(area.getX() + dx / 2, area.getY() + dy / 2, area.getWidth() - dx,
                 area.getHeight() - dy);
-    }
-
-    /** A map ends where it was computed. */
-    private void widen(ValueAxis axis, Range range, double length) {
-        double half = Math.min(length, (kind == Panel.Kind.MAP ? 1 : WIDENED) * range.getLength()) / 2;
-        axis.setRange(range.getCentralValue() - half, range.getCentralValue() + half);
     }
 
     @Override

@@ -31,6 +31,9 @@ public final class ChartStyle {
     public static final Font LABEL = FontCheck.font(Font.PLAIN, 13);
     static final Font TICKS = FontCheck.font(Font.PLAIN, 12);
 
+    /** The stroke of lines to names. */
+    static final Stroke LEADER = new BasicStroke(0.8f);
+
     /** The stroke of lines so dense that they fill an area. */
     static final Stroke THIN = new BasicStroke(0.7f);
 

@@ -43,13 +43,10 @@ final class Charts {
                 : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 6 : 10, 8)
                 : stacked(panel, narrow ? 6 : 10);
         JFreeChart chart = new JFreeChart(panel.title(), null, plot, false);
+        chart.getTitle().setMargin(2, 0, 2, 0);
         TextTitle answer = new TextTitle(panel.answer());
-        boolean answered = !panel.answer().isEmpty();
-        chart.getTitle().setMargin(2, 0, answered ? 2 : 8, 0);
-        answer.setMargin(0, 0, 8, 0);
-        if (answered) {
-            chart.addSubtitle(answer);
-        }
+        answer.setMargin(0, 0, 6, 0);
+        chart.addSubtitle(answer);
         chart.setPadding(new RectangleInsets(6, 6, 4, 12));
         theme(title).apply(chart);
         return chart;

@@ -1,7 +1,5 @@
 package particles.output.charts;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
@@ -9,7 +7,9 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
@@ -29,7 +29,6 @@ final class EndLabels {
     private static final double LINE = 15;
     /** Enough to place 14 names, which need some 100, to a hundredth of a pixel. */
     private static final int ROUNDS = 1000;
-    private static final BasicStroke THIN = new BasicStroke(0.8f);
 
     private final XYPlot plot;
     private final XYLineAndShapeRenderer renderer;
@@ -62,25 +61,27 @@ final class EndLabels {
 
     /** @param area the rectangle of the chart's points */
     void draw(Graphics2D g, Rectangle2D area) {
-        List<Integer> sorted = labelled.stream().sorted(Comparator.comparingDouble(k -> end(k, area).getY())).toList();
-        double[] wanted = sorted.stream().mapToDouble(k -> end(k, area).getY()).toArray();
-        double[] places = spread(wanted, LINE, area.getMinY() + LINE / 2, area.getMaxY() - LINE / 2);
+        Map<Integer, Point2D> ends = new HashMap<>();
+        labelled.forEach(k -> ends.put(k, new Point2D.Double(
+                inside(plot.getDomainAxis(), data.getXValue(k, data.last(k)), area, RectangleEdge.BOTTOM),
+                inside(plot.getRangeAxis(), data.getYValue(k, data.last(k)), area, RectangleEdge.LEFT))));
+        List<Integer> sorted = labelled.stream().sorted(Comparator.comparing(k -> ends.get(k).getY())).toList();
+        double[] places = spread(sorted.stream().mapToDouble(k -> ends.get(k).getY()).toArray(), LINE,
+                area.getMinY() + LINE / 2, area.getMaxY() - LINE / 2);
         for (int n = 0; n < places.length; n++) {
-            draw(g, sorted.get(n), area, places[n]);
+            draw(g, sorted.get(n), ends.get(sorted.get(n)), area, places[n]);
         }
     }
 
     /** Draws a name after a sample of its line. From far away, thin lines would cross others. */
-    private void draw(Graphics2D g, int k, Rectangle2D area, double place) {
+    private void draw(Graphics2D g, int k, Point2D end, Rectangle2D area, double place) {
         double x = area.getMaxX() + LEADER;
-        Point2D end = end(k, area);
         if (end.getX() > area.getMaxX() - EDGE * area.getWidth()) {
             g.setPaint(ChartStyle.FIELD);               // a coloured one would look like more of the curve
-            g.setStroke(THIN);
+            g.setStroke(ChartStyle.LEADER);
             g.draw(new Line2D.Double(end, new Point2D.Double(x - 1, place)));
         }
-        g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
-                : renderer.lookupSeriesFillPaint(k));
+        g.setPaint(renderer.lookupSeriesPaint(k));
         g.setStroke(renderer.lookupSeriesStroke(k));
         g.draw(new Line2D.Double(x, place, x + SAMPLE, place));
         if (renderer.getItemShapeVisible(k, 0)) {
@@ -89,35 +90,19 @@ final class EndLabels {
         }
         g.setPaint(ChartStyle.TEXT);
         g.setFont(ChartStyle.LABEL);
-        double middle = (g.getFontMetrics().getAscent() - g.getFontMetrics().getDescent()) / 2.0;
-        g.drawString(text(k), (float) (x + SAMPLE + GAP), (float) (place + middle));
+        g.drawString(text(k), (float) (x + SAMPLE + GAP), (float) (place + LINE / 3));
     }
 
-    /** The end of a line, or where it leaves the chart. */
-    private Point2D end(int k, Rectangle2D area) {
-        int last = data.last(k);
-        return new Point2D.Double(inside(plot.getDomainAxis(), data.getXValue(k, last), area, RectangleEdge.BOTTOM),
-                inside(plot.getRangeAxis(), data.getYValue(k, last), area, RectangleEdge.LEFT));
-    }
-
+    /** The place of a value, or where its line leaves the chart. */
     private static double inside(ValueAxis axis, double value, Rectangle2D area, RectangleEdge edge) {
-        double shown = Math.max(axis.getLowerBound(), Math.min(axis.getUpperBound(), value));
-        return axis.valueToJava2D(shown, area, edge);
+        return axis.valueToJava2D(axis.getRange().constrain(value), area, edge);
     }
 
-    /**
-     * Finds places near the wanted ones that are a distance apart: neighbours that are nearer push each other away.
-     *
-     * @param wanted   the wanted places, in rising order
-     * @param distance the distance between neighbours
-     * @param low      the lowest place, unless there is no room for all
-     * @param high     the highest place
-     * @return the places
-     */
+    /** @return places near the wanted ones, which rise, at least a distance apart and from low to high if possible */
     static double[] spread(double[] wanted, double distance, double low, double high) {
         double[] places = wanted.clone();
         for (int round = 0; round < ROUNDS; round++) {
-            for (int k = 0; k < places.length; k++) {
+            for (int k = 0; k < places.length; k++) {   // neighbours that are too near push each other away
                 double push = k == 0 ? 0 : Math.max(0, distance - places[k] + places[k - 1]) / 2;
                 places[Math.max(0, k - 1)] -= push;
                 places[k] = Math.max(low + k * distance, Math.min(high - (places.length - 1 - k) * distance,

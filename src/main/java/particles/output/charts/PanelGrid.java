@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.block.RectangleConstraint;
-import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.TextTitle;
 import org.jfree.chart.title.Title;
@@ -17,18 +16,18 @@ import particles.view.Panel;
 
 /** Small multiples: charts in a grid, under one title; the legend is below. */
 public final class PanelGrid {
-    private static final int CELL = 360;
-    private static final int CHART_CELL = 500;
+    private static final int ROUND_CELL = 360;
+    private static final int CELL = 500;
     /** With two columns there is room for the names of rows and of lines, too. */
     private static final int WIDE_CELL = 720;
     private static final int LEAST_WIDTH = 1100;
-    private static final double TALL = 1.5;
-    /** Taller maps are narrower than their cells. */
-    private static final double TALLEST_SHAPE = 2.4;
-    private static final double AXES = 0.85;
     private static final double HEIGHT_OF_WIDTH = 0.6;
+    /** Taller maps are narrower than their cells, and stand beside each other. */
+    private static final double TALLEST = 2.4;
+    private static final double TALL = 1.5;
+    /** The height of a title, an answer and an axis. */
+    private static final int HEAD_AND_AXIS = 100;
     private static final int MARGIN = 10;
-    private static final int TALLEST = 400;
 
     private PanelGrid() {
     }
@@ -36,11 +35,6 @@ public final class PanelGrid {
     /** @return the number of panels in a row; rows are full if possible */
     static int columns(int panels) {
         return panels <= 3 ? panels : panels % 4 == 0 && panels > 4 ? 4 : panels % 3 == 0 || panels > 4 ? 3 : 2;
-    }
-
-    /** @return the height of a map over its width */
-    private static double shape(XYPlot map) {
-        return map.getRangeAxis().getRange().getLength() / map.getDomainAxis().getRange().getLength();
     }
 
     /**
@@ -54,13 +48,14 @@ public final class PanelGrid {
         double left = plots.stream().mapToDouble(plot -> plot.getRoom().getLeft()).max().orElse(0);
         double right = plots.stream().mapToDouble(plot -> plot.getRoom().getRight()).max().orElse(0);
         plots.forEach(plot -> plot.setRoom(left, right));       // so that frames are of one size
+        Range x = plots.get(0).getDomainAxis().getRange();
         boolean round = plots.stream().allMatch(ChartPlot::isRound);
-        double shape = round ? Math.min(TALLEST_SHAPE, shape(plots.get(0))) : 1;
-        int columns = shape > TALL ? panels.size() : columns(panels.size());
-        int width = Math.max(LEAST_WIDTH, columns * (round ? CELL : columns > 2 ? CHART_CELL : WIDE_CELL));
+        double shape = plots.get(0).getRangeAxis().getRange().getLength() / x.getLength();
+        int columns = round && shape > TALL ? panels.size() : columns(panels.size());
+        int width = Math.max(LEAST_WIDTH, columns * (round ? ROUND_CELL : columns > 2 ? CELL : WIDE_CELL));
         double cell = (width - 2.0 * MARGIN) / columns;
         Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
-        RectangleConstraint room = new RectangleConstraint(new Range(0, width - 2.0 * MARGIN), new Range(0, TALLEST));
+        RectangleConstraint room = new RectangleConstraint(new Range(0, width), new Range(0, width));
         TextTitle heading = new TextTitle(title, ChartStyle.TITLE);
         heading.setPaint(ChartStyle.TEXT);
         Size2D head = heading.arrange(trial, room);
@@ -73,8 +68,8 @@ public final class PanelGrid {
         for (int row = 0; row < rows; row++) {
             int tallest = panels.stream().skip((long) row * columns).limit(columns)
                     .flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size()).max().orElse(0);
-            tops[row + 1] = tops[row] + cell * (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH)
-                    + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+            tops[row + 1] = tops[row] + (round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS
+                    : HEIGHT_OF_WIDTH * cell + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1)));
         }
         int height = (int) Math.ceil(tops[rows] + (Charts.isEmpty(legend) ? 0 : foot.height) + MARGIN);
         return new ChartPage(width, height, false, g -> {

@@ -1,11 +1,10 @@
 package particles.output.charts;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
@@ -16,9 +15,11 @@ import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.PlotRenderingInfo;
 import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.VectorRenderer;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
-import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.data.xy.VectorSeries;
+import org.jfree.data.xy.VectorSeriesCollection;
 import particles.view.Look;
 import particles.view.Panel;
 import particles.view.Series;
@@ -31,8 +32,7 @@ import particles.view.VectorField;
  * strength.
  */
 final class PhasePlot {
-    private static final double FIELD_HEAD = 5.5;
-    private static final double PATH_HEAD = 11;
+    private static final double HEAD = 11;
     private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
     /** The positions of arrow heads along the path's states; early ones show the first turn. */
     private static final double[] HEADS = {0.03, 0.3, 0.6};
@@ -47,35 +47,42 @@ final class PhasePlot {
         ChartDataset data = (ChartDataset) plot.getDataset();
         for (int k = 0; k < data.getSeriesCount(); k++) {
             Series series = data.series(k);
-            if (series.look().equals(Look.MARK) || series.look().equals(Look.MARK.variant(1))) {
+            if (series.look().rgb() == Look.MARK.rgb()) {
                 renderer.setSeriesShape(k, LARGE.createTransformedShape(renderer.lookupSeriesShape(k)));
-            } else if (!series.look().equals(Look.REFERENCE) && series.mark() != Mark.FAILURES) {
+            } else if (series.mark() != Mark.FAILURES) {
                 renderer.setSeriesShape(k, ChartStyle.disc(2.2));
                 if (renderer.lookupSeriesStroke(k) != ChartStyle.THIN) {
                     renderer.setSeriesStroke(k, ChartStyle.stroke(0));
                 }
-                addHeads(renderer, series, new Color(series.look().rgb()));
+                for (double place : HEADS) {
+                    int from = (int) (place * (series.x().length - 1));
+                    if (from + 1 < series.x().length && !Double.isNaN(series.x()[from] + series.x()[from + 1])) {
+                        renderer.addAnnotation(head(series, from));
+                    }
+                }
             }
         }
-        panel.field().ifPresent(field -> addField(plot, renderer, field));
+        panel.field().ifPresent(field -> addField(plot, field));
         return plot;
     }
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
-    private static void addField(ChartPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
-        double time = Double.POSITIVE_INFINITY;
+    private static void addField(ChartPlot plot, VectorField field) {
         double cellX = spacing(field.x());
         double cellV = spacing(field.v());
+        double time = IntStream.range(0, field.x().length).mapToDouble(k -> Math.min(cellX / Math.abs(field.v()[k]),
+                cellV / Math.abs(field.dv()[k]))).min().orElse(0);
+        VectorSeries arrows = new VectorSeries("field");
         for (int k = 0; k < field.x().length; k++) {
-            time = Math.min(time, Math.min(cellX / Math.abs(field.v()[k]), cellV / Math.abs(field.dv()[k])));
+            arrows.add(field.x()[k], field.v()[k], time * field.v()[k], time * field.dv()[k]);
         }
-        for (int k = 0; k < field.x().length; k++) {
-            double x = field.x()[k];
-            double v = field.v()[k];
-            renderer.addAnnotation(arrow(
-                    new Line2D.Double(x, v, x + time * field.v()[k], v + time * field.dv()[k]), FIELD_HEAD, false,
-                    ChartStyle.FIELD), Layer.BACKGROUND);
-        }
+        VectorSeriesCollection data = new VectorSeriesCollection();
+        data.addSeries(arrows);
+        VectorRenderer renderer = new VectorRenderer();
+        renderer.setAutoPopulateSeriesPaint(false);
+        renderer.setSeriesPaint(0, ChartStyle.FIELD);
+        plot.setDataset(1, data);
+        plot.setRenderer(1, renderer);
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
         show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
         plot.setRanges();
@@ -94,57 +101,24 @@ final class PhasePlot {
         Axes.setTicks(axis, axis.getRange().getLength() / TICKS);
     }
 
-    private static void addHeads(XYLineAndShapeRenderer renderer, Series path, Color colour) {
-        int last = path.x().length - 1;
-        for (double place : HEADS) {
-            int k = (int) (place * last);
-            if (k < last && !Double.isNaN(path.x()[k] + path.x()[k + 1])) {
-                renderer.addAnnotation(arrow(
-                        new Line2D.Double(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1]), PATH_HEAD, true,
-                        colour), Layer.FOREGROUND);
-            }
-        }
-    }
-
-    /**
-     * An arrow between two points of a chart; the size of its head is in pixels, independent of the axes.
-     *
-     * @param line     from its tail to its tip, in the values of the axes
-     * @param head     the length of the head (logical pixels); a shorter arrow has a smaller one
-     * @param headOnly whether only the head is drawn, in full size, its tip at the second point
-     */
-    private static XYAnnotation arrow(Line2D.Double line, double head, boolean headOnly, Color colour) {
+    /** The head of an arrow at a state of a path, which points to the next one; its size is in pixels. */
+    private static XYAnnotation head(Series path, int from) {
         return new AbstractXYAnnotation() {
             private static final long serialVersionUID = 1L;
 
             @Override
-            public void draw(Graphics2D g, XYPlot plot, Rectangle2D area, ValueAxis domain, ValueAxis range,
-                    int rendererIndex, PlotRenderingInfo info) {
-                RectangleEdge below = plot.getDomainAxisEdge();
-                RectangleEdge beside = plot.getRangeAxisEdge();
-                double x0 = domain.valueToJava2D(line.x1, area, below);
-                double y0 = range.valueToJava2D(line.y1, area, beside);
-                double x1 = domain.valueToJava2D(line.x2, area, below);
-                double y1 = range.valueToJava2D(line.y2, area, beside);
-                double length = Math.hypot(x1 - x0, y1 - y0);
-                if (!(length > 1e-3) || !(length <= 1e6)) {
-                    return;
-                }
-                double size = headOnly ? head : Math.min(head, 0.6 * length);
-                double width = 0.42 * size;
-                // drawn along the x axis with its tip at 0, and turned
-                AffineTransform turned = AffineTransform.getTranslateInstance(x1, y1);
-                turned.rotate(x1 - x0, y1 - y0);
-                g.setPaint(colour);
-                if (!headOnly) {
-                    g.setStroke(new BasicStroke(1));
-                    g.draw(turned.createTransformedShape(new Line2D.Double(-length, 0, -0.8 * size, 0)));
-                }
+            public void draw(Graphics2D g, XYPlot plot, Rectangle2D area, ValueAxis across, ValueAxis up, int index,
+                    PlotRenderingInfo info) {
+                Point2D[] ends = IntStream.of(from, from + 1).mapToObj(k -> new Point2D.Double(
+                        across.valueToJava2D(path.x()[k], area, RectangleEdge.BOTTOM),
+                        up.valueToJava2D(path.y()[k], area, RectangleEdge.LEFT))).toArray(Point2D[]::new);
+                AffineTransform turned = AffineTransform.getTranslateInstance(ends[1].getX(), ends[1].getY());
+                turned.rotate(ends[1].getX() - ends[0].getX(), ends[1].getY() - ends[0].getY());
                 Path2D tip = new Path2D.Double();
                 tip.moveTo(0, 0);
-                tip.lineTo(-size, -width);
-                tip.lineTo(-size, width);
-                tip.closePath();
+                tip.lineTo(-HEAD, -0.42 * HEAD);
+                tip.lineTo(-HEAD, 0.42 * HEAD);
+                g.setPaint(new Color(path.look().rgb()));
                 g.fill(turned.createTransformedShape(tip));
             }
         };

@@ -62,10 +62,10 @@ public record Report(String title, List<String> text, List<Section> sections, St
             <p>{{.}}</p>
             {{/text}}
             {{#pictures}}
-            {{^isRepeated}}
+            {{^repeated}}
             <figure id="{{task}}-{{file}}"{{#look}} class="{{.}}"{{/look}}>
             <div class="scroll"><button type="button" title="larger or smaller"><img alt="{{caption}}" \
-            src="data:image/{{type}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
+            src="data:image/{{#isAnimation}}gif{{/isAnimation}}{{^isAnimation}}png{{/isAnimation}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
             <figcaption>{{caption}}</figcaption>
             {{#answers}}
             <p>{{title}}: {{answer}}</p>
@@ -77,7 +77,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
             </tbody></table></div>
             {{/ends}}
             </figure>
-            {{/isRepeated}}
+            {{/repeated}}
             {{/pictures}}
             {{/page}}
             {{#tables}}

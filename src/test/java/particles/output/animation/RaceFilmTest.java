@@ -106,15 +106,6 @@ class RaceFilmTest {
         return sum / count;
     }
 
-    @Test
-    void markStandsOnTheLastPointAndNotBehindTheEndOfALine() {
-        Series series = new Series(RK4, "rk4", Mark.LINE, new double[] {0, 1, 2}, new double[] {5, 6, 7});
-        assertEquals(0, StripChart.at(series, 0.5));
-        assertEquals(2, StripChart.at(series, 2));
-        assertEquals(-1, StripChart.at(series, 2.1));
-        assertEquals(-1, StripChart.at(new Series(RK4, "rk4", Mark.LINE, new double[0], new double[0]), 0));
-    }
-
     /** The one that fails half way is in all frames; the film has those of the reference. */
     @Test
     void filmIsAsLongAsTheReference(@TempDir Path top) throws IOException {

@@ -104,7 +104,7 @@ public final class PageRecorder extends AbstractGraphics2D {
                 && !ChartStyle.BAR.equals(getStroke())) {             // the bar of a range is no curve
             ends.add(getTransform().transform(path.getCurrentPoint(), null));
         }
-        if (shape instanceof Line2D line && ChartStyle.FIELD.equals(getPaint())) {
+        if (shape instanceof Line2D line && ChartStyle.LEADER.equals(getStroke())) {
             leaders.add(new Line2D.Double(getTransform().transform(line.getP1(), null),
                     getTransform().transform(line.getP2(), null)));
         }

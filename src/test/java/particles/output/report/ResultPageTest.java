@@ -19,7 +19,6 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.experiments.runs.SolverChoice;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
-import particles.output.report.Picture.Role;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -150,7 +149,10 @@ class ResultPageTest {
                 .first(List.of("radau", "rk4")).laidOut(new ChartFormat(true, false, false));
         assertEquals(List.of("many", "many-again"), slides.stream().map(Picture::name).toList());
         assertEquals(List.of(List.of("euler", "midpoint", "rk4", "radau", "Mine")), names(slides.get(0)));
-        assertEquals(List.of(), Picture.panels("all", "", "t", slides.get(0).panels()).as(Role.WHOLE)
-                .laidOut(new ChartFormat(true, false, false)));
+        Panel panel = slides.get(0).panels().get(0);
+        ResultPage page = new ResultPage("p", "t", List.of(), List.of(Picture.panels("all", "", "t", List.of(panel,
+                panel)), Picture.of("part", "", panel).again()), List.of());
+        assertEquals(List.of("part"), page.laidOut(new ChartFormat(true, false, false)).pictures().stream()
+                .map(Picture::name).toList(), "and not the whole once more");
     }
 }
