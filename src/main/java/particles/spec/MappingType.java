@@ -105,8 +105,7 @@ public class MappingType implements Type<Values> {
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
                     ? "a number where a key of " + label
                     + " should be; numbers have a decimal point, not a comma, and several of them stand in [ ]"
-                    : Wording.unknown("key", text, known, in.owners(text))
-                            .replaceFirst("known:", "known in " + label + ":"));
+                    : Wording.unknown("key", text, known, in.owners(text), "known in " + label));
         } else if (values.isGiven(key.get())) {
             in.problem(keyNode, "'" + text + "' appears twice in " + label);
         } else if (valueNode.getTag().equals(Tag.NULL)) {

@@ -5,8 +5,6 @@ import java.awt.font.FontRenderContext;
 import java.text.NumberFormat;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
@@ -30,6 +28,8 @@ final class Axes {
     private static final double MARGIN = 0.05;
     /** The height of a line of text with its margin. */
     private static final double LINE = 20;
+    /** The width of a number such as -1.5e-15 with its margins. */
+    private static final double NUMBER = 64;
 
     private Axes() {
     }
@@ -96,17 +96,9 @@ final class Axes {
         return space;
     }
 
-    /** @return the room that an axis beside a chart needs at the left */
+    /** @return the room of an axis at the left of a chart: for numbers, or for the names of rows */
     static double left(ValueAxis axis) {
-        Stream<String> labels = axis instanceof SymbolAxis rows ? Arrays.stream(rows.getSymbols())
-                : (axis instanceof DecadeAxis log ? DoubleStream.of(log.getTicks()) : ticks((NumberAxis) axis))
-                        .mapToObj(NUMBERS::format);
-        return LINE + 10 + labels.mapToDouble(label -> width(ChartStyle.TICKS, label)).max().orElse(0);
-    }
-
-    private static DoubleStream ticks(NumberAxis axis) {
-        double unit = axis.getTickUnit().getSize();
-        return DoubleStream.iterate(Math.ceil(axis.getLowerBound() / unit), k -> k * unit <= axis.getUpperBound(),
-                k -> k + 1).map(k -> k * unit);
+        return LINE + (axis instanceof SymbolAxis rows ? 10 + Arrays.stream(rows.getSymbols())
+                .mapToDouble(name -> width(ChartStyle.TICKS, name)).max().orElse(0) : NUMBER);
     }
 }

@@ -6,7 +6,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.StandardChartTheme;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
@@ -103,8 +102,8 @@ final class Charts {
                 Series series = data.series(k);
                 boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.BAND;    // the axis names it
                 if (!plot.ends.labelled.contains(k) && !series.mark().isDetail() && !onlyOne && series.x().length > 0
-                        && named.add(List.of(series.name(), series.mark()))) {
-                    items.add(item(plot, k));
+                        && named.add(List.of(series.name(), series.mark().isCurve()))) {
+                    items.add(plot.getRenderer().getLegendItem(0, k));
                 }
             }
         }
@@ -114,15 +113,6 @@ final class Charts {
         legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
         return legend;
-    }
-
-    /** A line so dense that it is drawn thin and pale has a wide sample: its turns together look like that. */
-    private static LegendItem item(ChartPlot plot, int k) {
-        LegendItem item = plot.getRenderer().getLegendItem(0, k);
-        if (item.getLineStroke() == ChartStyle.THIN) {
-            item.setLineStroke(ChartStyle.BAND);
-        }
-        return item;
     }
 
     static boolean isEmpty(LegendTitle legend) {

@@ -13,8 +13,8 @@ import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.Range;
 
 /**
- * A logarithmic axis with ticks at every power of ten, or every second, third, fifth or tenth; an axis with less than
- * three powers of ten has more digits, where JFreeChart has powers alone.
+ * A logarithmic axis with ticks at every power of ten, or every second, third and so on; an axis with less than three
+ * powers of ten has more digits, where JFreeChart has powers alone.
  */
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1L;
@@ -23,7 +23,6 @@ final class DecadeAxis extends LogAxis {
     private static final List<double[]> DIGITS = List.of(new double[] {1}, new double[] {1, 3}, new double[] {1, 2, 5},
             DoubleStream.iterate(1, d -> d + 1).limit(9).toArray(),
             DoubleStream.iterate(1, d -> Math.rint(10 * d + 1) / 10).limit(90).toArray());
-    private static final List<Integer> STEPS = List.of(1, 2, 3, 5, 10, 20, 50, 100, 200);
 
     private final double[] ticks;
 
@@ -35,8 +34,8 @@ final class DecadeAxis extends LogAxis {
     }
 
     static double[] ticks(Range range, int most) {
-        int step = STEPS.stream().filter(s -> at(range, s, DIGITS.get(0)).length <= most).findFirst().orElse(200);
-        double[] powers = at(range, step, DIGITS.get(0));
+        double decades = Math.log10(range.getUpperBound() / range.getLowerBound());
+        double[] powers = at(range, Math.max(1, (int) Math.ceil(decades / most)), DIGITS.get(0));
         return powers.length >= FEWEST ? powers : DIGITS.stream().map(digits -> at(range, 1, digits))
                 .filter(ticks -> ticks.length >= FEWEST).findFirst().orElse(powers);
     }
@@ -54,9 +53,5 @@ final class DecadeAxis extends LogAxis {
         TextAnchor anchor = RectangleEdge.isTopOrBottom(edge) ? TextAnchor.TOP_CENTER : TextAnchor.CENTER_RIGHT;
         return DoubleStream.of(ticks).mapToObj(value -> new NumberTick(value, Axes.NUMBERS.format(value), anchor,
                 TextAnchor.CENTER, 0)).toList();
-    }
-
-    double[] getTicks() {
-        return ticks;
     }
 }

@@ -37,6 +37,8 @@ final class PhasePlot {
     /** The positions of arrow heads along the path's states; early ones show the first turn. */
     private static final double[] HEADS = {0.03, 0.3, 0.6};
     private static final int TICKS = 8;
+    /** A path that goes no farther between two states has no direction (pixels). */
+    private static final double AT_REST = 1e-3;
 
     private PhasePlot() {
     }
@@ -118,8 +120,10 @@ final class PhasePlot {
                 tip.moveTo(0, 0);
                 tip.lineTo(-HEAD, -0.42 * HEAD);
                 tip.lineTo(-HEAD, 0.42 * HEAD);
-                g.setPaint(new Color(path.look().rgb()));
-                g.fill(turned.createTransformedShape(tip));
+                if (ends[0].distance(ends[1]) > AT_REST) {
+                    g.setPaint(new Color(path.look().rgb()));
+                    g.fill(turned.createTransformedShape(tip));
+                }
             }
         };
     }

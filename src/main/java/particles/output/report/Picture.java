@@ -82,6 +82,11 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return !hasData() && drawn.isEmpty();
     }
 
+    /** @return the type of its file */
+    String type() {
+        return isAnimation() ? "gif" : "png";
+    }
+
     boolean hasData() {
         return !panels.isEmpty();
     }

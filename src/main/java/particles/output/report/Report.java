@@ -65,7 +65,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{^repeated}}
             <figure id="{{task}}-{{file}}"{{#look}} class="{{.}}"{{/look}}>
             <div class="scroll"><button type="button" title="larger or smaller"><img alt="{{caption}}" \
-            src="data:image/{{#isAnimation}}gif{{/isAnimation}}{{^isAnimation}}png{{/isAnimation}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
+            src="data:image/{{type}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
             <figcaption>{{caption}}</figcaption>
             {{#answers}}
             <p>{{title}}: {{answer}}</p>

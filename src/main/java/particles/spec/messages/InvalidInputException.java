@@ -6,18 +6,21 @@ import java.util.List;
 public final class InvalidInputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
+    private final transient List<String> lines;
+
     /** @param lines the mistakes, each line clear on its own */
     public InvalidInputException(List<String> lines) {
-        this(String.join("\n", lines));
+        super(String.join("\n", lines));
+        this.lines = List.copyOf(lines);
     }
 
-    /** @param lines the mistakes; a line feed separates two */
-    public InvalidInputException(String lines) {
-        super(lines);
+    /** @param line the one mistake */
+    public InvalidInputException(String line) {
+        this(List.of(line));
     }
 
     /** @return the mistakes, line by line */
     public List<String> getLines() {
-        return List.of(getMessage().split("\n"));
+        return lines;
     }
 }

@@ -52,10 +52,16 @@ public final class Wording {
      * @return {@code unknown effect 'gravty'; did you mean 'gravity'? known: ...}
      */
     public static String unknown(String what, String found, Collection<String> known, List<String> owners) {
+        return unknown(what, found, known, owners, "known");
+    }
+
+    /** As above; the known names are introduced as {@code known in effects}. */
+    public static String unknown(String what, String found, Collection<String> known, List<String> owners,
+            String introduction) {
         String hint = hint(found, known);
         boolean misplaced = hint.equals(";") && !owners.isEmpty() && owners.size() <= MOST_OWNERS;
         return "unknown " + what + " " + quote(found)
-                + (misplaced ? "; it is a key of " + String.join(", ", owners) + ";" : hint) + " known: "
+                + (misplaced ? "; it is a key of " + String.join(", ", owners) + ";" : hint) + " " + introduction + ": "
                 + String.join(", ", known);
     }
 
