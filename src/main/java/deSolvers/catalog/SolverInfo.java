@@ -131,6 +131,6 @@ public record SolverInfo(String name, int order, Family family, String evaluatio
 
     /** @return whether a step has no stability limit, for damped and for undamped springs */
     public boolean unlimited() {
-        return limits.equals(Limits.NONE);
+        return limits.damped() == Double.POSITIVE_INFINITY && limits.imaginary() == Double.POSITIVE_INFINITY;
     }
 }

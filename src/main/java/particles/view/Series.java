@@ -17,7 +17,7 @@ import java.util.function.ToDoubleFunction;
  */
 public record Series(Look look, String name, Mark mark, double[] x, double[] y, String end) {
     /** Lines that turn more often than this, by this part of their range or more, fill an area. */
-    private static final int DENSE = 120;
+    private static final int DENSE = 240;
     private static final double SEEN = 0.02;
     /** A last value below this part of the largest one is round-off. */
     private static final double ROUND_OFF = 1e-12;
@@ -90,11 +90,11 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
         return new Series(look, name, mark, x, y, number);
     }
 
-    /** @return the series with its last y beside its name, to three digits, and its unit; round-off is 0 */
+    /** @return the series with its last y beside its name, to three digits, and its unit; on a linear axis round-off is 0 */
     public Series ending(Axis axis) {
         int last = last();
         double largest = Arrays.stream(y).map(Math::abs).filter(Double::isFinite).max().orElse(0);
-        return ending(last < 0 ? "" : (Digits.few(Math.abs(y[last]) < ROUND_OFF * largest ? 0 : y[last]) + " "
+        return ending(last < 0 ? "" : (Digits.few(!axis.log() && Math.abs(y[last]) < ROUND_OFF * largest ? 0 : y[last]) + " "
                 + axis.unit()).strip());
     }
 

@@ -53,19 +53,24 @@ final class SeriesRenderer {
 
     /** If a line of another name has a series' look already, the series gets dashes that are free. */
     private static List<Look> looks(List<Series> series) {
-        Map<Look, String> lines = new HashMap<>();
+        Map<List<Integer>, String> lines = new HashMap<>();
         List<Look> looks = new ArrayList<>();
         for (Series one : series) {
             Look look = one.look();
             for (int n = 0; one.mark().isCurve() && n < ChartStyle.STROKES
-                    && !one.name().equals(lines.getOrDefault(look, one.name())); n++) {
+                    && !one.name().equals(lines.getOrDefault(key(look), one.name())); n++) {
                 look = look.variant(n);
             }
             if (one.mark().isCurve()) {
-                lines.put(look, one.name());
+                lines.put(key(look), one.name());
             }
             looks.add(look);
         }
         return looks;
+    }
+
+    /** Not the record itself: Java would generate its equality at run time, several per cent of a short run. */
+    private static List<Integer> key(Look look) {
+        return List.of(look.rgb(), look.variant());
     }
 }

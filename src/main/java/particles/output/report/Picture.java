@@ -4,7 +4,9 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.catalog.SolverInfo.Group;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -134,8 +136,10 @@ public record Picture(String name, String caption, String title, List<Panel> pan
     }
 
     private static List<SolverInfo> solvers(Chart chart) {
-        return chart.series().stream().filter(series -> series.mark().isCurve())
-                .flatMap(series -> series.look().solver().stream()).distinct().toList();
+        Map<String, SolverInfo> byName = new LinkedHashMap<>();
+        chart.series().stream().filter(series -> series.mark().isCurve()).flatMap(series ->
+                series.look().solver().stream()).forEach(solver -> byName.put(solver.name(), solver));
+        return List.copyOf(byName.values());
     }
 
     private Chart onSlide(Chart chart) {

@@ -207,12 +207,12 @@ class ChartsTest {
         assertEquals(ChartStyle.stroke(1), plot.getRenderer().getSeriesStroke(0), "dashes");
     }
 
-    /** A turn goes there and back, so that 60 of them cross 120 times; how many states they have does not matter. */
+    /** A turn goes there and back, so that 120 of them cross 240 times; how many states they have does not matter. */
     @Test
     void onlyPathsThatCrossThePlotOftenLetShineThrough() {
         Color strong = new Color(look("rk4").rgb());
         for (int states : new int[] {100, 5000}) {
-            for (int turns : new int[] {1, 55, 65}) {
+            for (int turns : new int[] {1, 110, 130}) {
                 double[] y = new double[states * turns / (states < 1000 ? 1 : turns) + 1];
                 for (int k = 0; k < y.length; k++) {
                     y[k] = StrictMath.cos(2 * Math.PI * turns * k / (y.length - 1));
@@ -220,7 +220,7 @@ class ChartsTest {
                 Series line = series(look("rk4"), "rk4", y);
                 XYPlot plot = path(chart(false, new Series(line.look(), "rk4", Mark.LINE, line.x(), line.y())),
                         Optional.empty());
-                assertEquals(turns == 65 ? ChartStyle.pale(strong) : strong, plot.getRenderer().getSeriesPaint(0),
+                assertEquals(turns == 130 ? ChartStyle.pale(strong) : strong, plot.getRenderer().getSeriesPaint(0),
                         turns + " turns of " + y.length + " states");
             }
         }
