@@ -43,9 +43,9 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
             {{/answers}}
             {{#ends}}
 
-            | {{{quantity}}} |{{#curves}} {{{name}}} |{{/curves}}
+            | {{quantity}} |{{#curves}} {{name}} |{{/curves}}
             | --- |{{#curves}} ---: |{{/curves}}
-            | |{{#curves}} {{{end}}} |{{/curves}}
+            | |{{#curves}} {{end}} |{{/curves}}
             {{/ends}}
             {{/pictures}}
             {{#tables}}

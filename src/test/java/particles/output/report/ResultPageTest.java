@@ -28,7 +28,7 @@ import particles.view.Series;
 import particles.view.Series.Mark;
 
 class ResultPageTest {
-    private static final Axis HEIGHT = Axis.linear("height", "m");
+    private static final Axis HEIGHT = Axis.linear("|height|", "m");
     private static final DataTable TABLE = new DataTable("cost", "What it costs", List.of(DataTable.column("solver"),
             DataTable.column("error (m)"), DataTable.column("evaluations")),
             List.of(List.of("rk4, \"old\"", 1.23456789e-7, 400L), List.of("a|b", Double.NaN, 12_345_678L)));
@@ -82,15 +82,15 @@ class ResultPageTest {
             page.write(folder, ChartFormat.PAGE);
         }
         Path made = path.resolve("fall");
-        assertEquals(List.of("chart,series,x quantity,x,y quantity,y", "falls,ball,time (s),0.0,height (m),1.0",
-                "falls,ball,time (s),0.5,height (m),-0.25"), Files.readAllLines(made.resolve("height.csv")));
+        assertEquals(List.of("chart,series,x quantity,x,y quantity,y", "falls,ball,time (s),0.0,|height| (m),1.0",
+                "falls,ball,time (s),0.5,|height| (m),-0.25"), Files.readAllLines(made.resolve("height.csv")));
         assertEquals(TableText.csv(TABLE), Files.readAllLines(made.resolve("cost.csv")));
         String text = Files.readString(made.resolve("fall.md"));
         assertStarts(text, "# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n");
         assertHas(text, """
                 falls: -0.25 m
 
-                | height (m) | ball |
+                | \\|height\\| (m) | ball |
                 | --- | ---: |
                 | | -0.25 m |
                 """, """
