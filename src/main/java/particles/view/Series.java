@@ -90,12 +90,12 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
         return new Series(look, name, mark, x, y, number);
     }
 
-    /** @return the series with its last y beside its name, to three digits, and its unit; on a linear axis round-off is 0 */
+    /** @return the series with its last y and its unit beside its name; on a linear axis round-off is 0 */
     public Series ending(Axis axis) {
         int last = last();
         double largest = Arrays.stream(y).map(Math::abs).filter(Double::isFinite).max().orElse(0);
-        return ending(last < 0 ? "" : (Digits.few(!axis.log() && Math.abs(y[last]) < ROUND_OFF * largest ? 0 : y[last]) + " "
-                + axis.unit()).strip());
+        boolean none = last >= 0 && !axis.log() && Math.abs(y[last]) < ROUND_OFF * largest;
+        return ending(last < 0 ? "" : (Digits.few(none ? 0 : y[last]) + " " + axis.unit()).strip());
     }
 
     /** @return the index of the last point that is finite; -1 if there is none */

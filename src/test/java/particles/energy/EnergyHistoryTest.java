@@ -212,8 +212,8 @@ class EnergyHistoryTest {
     }
 
     /**
-     * A mean of A sin^2(omega t) over T = 15 s / 32 is off A/2 by at most A / (2 omega T), 16.8 J here; measured 15.3 J,
-     * and 0.07 J for the mean of all.
+     * A mean of A sin^2(omega t) over T = 15 s / 32 is off A/2 by at most A / (2 omega T), 16.8 J here; measured 15.3
+     * J, and 0.07 J for the mean of all.
      */
     @Test
     void energiesThatWouldFillAnAreaAreDrawnAsMeans() {

@@ -198,8 +198,11 @@ public final class StabilityCommand extends ExperimentCommand {
     /** A picture of stability regions: its name and caption, and the solvers shown in a part of the plane. */
     private record Region(String name, String caption, List<String> solvers, Window window) {
         Picture draw() {
-            return Picture.panels("region-" + name, caption, "Stability regions, measured", solvers.stream()
-                    .map(solver -> StabilityRegion.filled(SolverCatalog.info(solver), window)).toList());
+            List<Panel> panels = solvers.stream().map(solver -> StabilityRegion.filled(SolverCatalog.info(solver),
+                    window)).toList();
+            return Picture.panels("region-" + name, caption, "Stability regions, measured", panels.stream().map(panel ->
+                    panel.with(panel.title(), List.of(panel.charts().get(0).scaledTo(panels.get(0).charts().get(0)
+                            .scale())))).toList());
         }
     }
 }

@@ -24,8 +24,10 @@ import particles.view.Series.Mark;
 final class Charts {
     /** The height of a row, in pixels as the other charts' heights, roughly. */
     static final int ROW = 17;
+    static final int GAP = 14;
     /** The height of a chart above rows, in the same pixels. */
     private static final int MAIN = 400;
+    private static final int CELL = 345;
     private static final int UPPERMOST = 255;
     private static final int LOWER = 153;
 
@@ -40,7 +42,7 @@ final class Charts {
     static JFreeChart of(Panel panel, Font title, boolean narrow) {
         XYPlot plot = panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel)
                 : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 6 : 10, 8)
-                : stacked(panel, narrow ? 6 : 10);
+                : stacked(panel, narrow);
         JFreeChart chart = new JFreeChart(panel.title(), null, plot, false);
         chart.getTitle().setMargin(2, 0, 2, 0);
         TextTitle answer = new TextTitle(panel.answer());
@@ -69,11 +71,12 @@ final class Charts {
     }
 
     /** Charts over the x axis of the first. The uppermost one has more room; rows have a fixed height. */
-    private static XYPlot stacked(Panel panel, int ticks) {
+    private static XYPlot stacked(Panel panel, boolean narrow) {
+        int ticks = narrow ? 6 : 10;
         Chart first = panel.charts().get(0);
         Range x = panel.charts().stream().map(chart -> ChartPlot.shown(chart, true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(Axes.of(first.x(), x, ChartPlot.onlyLines(first), ticks));
-        all.setGap(14);
+        all.setGap(GAP);
         all.setFixedDomainAxisSpace(Axes.below());
         all.setInsets(RectangleInsets.ZERO_INSETS);
         boolean several = panel.charts().stream().filter(chart -> chart.rows().isEmpty()).count() > 1;
@@ -81,7 +84,8 @@ final class Charts {
             int rows = chart.rows().size();
             ChartPlot plot = new ChartPlot(chart, panel.kind(), ticks, chart == first ? 8 : 6);
             plot.setFixedDomainAxisSpace(null);
-            all.add(plot, rows > 0 ? ROW * (rows + 1) : chart != first ? LOWER : several ? UPPERMOST : MAIN);
+            all.add(plot, rows > 0 ? ROW * (rows + 1) : chart != first ? LOWER : several ? UPPERMOST
+                    : narrow ? CELL : MAIN);
         }
         return all;
     }

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.block.RectangleConstraint;
@@ -65,11 +66,12 @@ public final class PanelGrid {
         int rows = (panels.size() + columns - 1) / columns;
         double[] tops = new double[rows + 1];
         tops[0] = head.height + 2 * MARGIN;
+        double plain = round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS : HEIGHT_OF_WIDTH * cell;
+        double[] heights = panels.stream().mapToDouble(panel -> plain + panel.charts().stream().mapToInt(data ->
+                data.rows().isEmpty() ? 0 : Charts.ROW * (data.rows().size() + 1) + Charts.GAP).sum()).toArray();
         for (int row = 0; row < rows; row++) {
-            int tallest = panels.stream().skip((long) row * columns).limit(columns)
-                    .flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size()).max().orElse(0);
-            tops[row + 1] = tops[row] + (round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS
-                    : HEIGHT_OF_WIDTH * cell + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1)));
+            tops[row + 1] = tops[row] + Arrays.stream(heights).skip((long) row * columns).limit(columns).max()
+                    .orElse(0);
         }
         int height = (int) Math.ceil(tops[rows] + (Charts.isEmpty(legend) ? 0 : foot.height) + MARGIN);
         return new ChartPage(width, height, false, g -> {
@@ -77,9 +79,8 @@ public final class PanelGrid {
             g.fill(new Rectangle2D.Double(0, 0, width, height));
             draw(heading, g, head, width, MARGIN);
             for (int k = 0; k < charts.size(); k++) {
-                int row = k / columns;
-                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cell, tops[row], cell,
-                        tops[row + 1] - tops[row]));
+                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cell, tops[k / columns], cell,
+                        heights[k]));
             }
             draw(legend, g, foot, width, tops[rows]);
         });
