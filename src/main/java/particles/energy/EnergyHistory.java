@@ -123,7 +123,7 @@ public final class EnergyHistory extends StridedRecorder {
                 lowestInternal += part.lowest;
             }
             part.smallest = Math.min(part.smallest, energy);
-            stored.merge(part.effect.getName(), energy, Double::sum);
+            stored.merge(part.effect.getName(), energy, (known, more) -> known + more);
         }
         stored.forEach((name, energy) ->
                 kinds.computeIfAbsent(name, unknown -> new MinMaxThinning(BUCKETS)).add(time, energy));
