@@ -135,7 +135,8 @@ class ArchitectureTest {
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
             particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
-            particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources
+            particles.teaching.contract:   deSolvers deSolvers.problems particles.teaching
+                                           particles.teaching.sources
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems deSolvers.rungeKutta
@@ -147,7 +148,7 @@ class ArchitectureTest {
                                            particles.teaching.sources particles.view
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources
-            particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching
+            particles.teaching.sources:    deSolvers deSolvers.problems deSolvers.text particles.teaching
             particles.view:                deSolvers.catalog deSolvers.text particles.law
             """);
 

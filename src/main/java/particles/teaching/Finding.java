@@ -1,12 +1,21 @@
 package particles.teaching;
 
+import java.util.List;
+
 /**
  * One finding of a check: a mistake or advice.
  *
- * @param kind the kind of finding
- * @param text the mistake and the right way, in the lecture's words
+ * @param kind   the kind of finding
+ * @param cause  what was found, a constant of one of the lists of findings; for one of a kind, its text
+ * @param values what was measured: numbers and names, in the order of the sentence
+ * @param text   the finding as a sentence
  */
-public record Finding(Kind kind, String text) {
+public record Finding(Kind kind, Object cause, List<Object> values, String text) {
+
+    /** A finding without a constant, such as the text of an exception. */
+    public Finding(Kind kind, String text) {
+        this(kind, text, List.of(), text);
+    }
 
     /** The kinds of findings. */
     public enum Kind {
@@ -18,7 +27,7 @@ public record Finding(Kind kind, String text) {
         STATE("state"),
         /** The class cannot be used at all, or did not return. */
         FAILURE("failure"),
-        /** It is a right method, and not the one that the class's name promises. */
+        /** It is a right method, and not the one that it is declared to be. */
         NAME("name"),
         /** Nothing is written yet, as in a skeleton. */
         UNWRITTEN("not yet"),

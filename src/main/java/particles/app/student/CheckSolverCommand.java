@@ -33,7 +33,7 @@ public final class CheckSolverCommand extends CheckCommand {
     private String solver;
 
     @Option(names = "--method", paramLabel = "NAME",
-            description = "The method that it has to be, such as heun (default: the one that its name promises).")
+            description = "The method that it has to be, such as heun (default: the one that its name declares).")
     private String method = AskedMethods.ANY;
 
     @Mixin
@@ -64,7 +64,12 @@ public final class CheckSolverCommand extends CheckCommand {
         String name;
         try {
             name = maker.get().getClass().getSimpleName();
-        } catch (NoSuchElementException | IllegalArgumentException e) {
+        } catch (NoSuchElementException e) {
+            List<String> files = StudentLoader.installed().keySet().stream().map(one -> one + ".java").toList();
+            return new Checked(subject, new NoSuchElementException("no class is called '" + full + "'; the files in the"
+                    + " folder of exercises are: " + (files.isEmpty() ? "none" : String.join(", ", files))
+                    + "; known solvers: " + String.join(", ", SolverCatalog.names()), e));
+        } catch (IllegalArgumentException e) {
             return new Checked(subject, e);
         }
         SolverVerdict verdict = AskedMethods.check(maker, name, method);

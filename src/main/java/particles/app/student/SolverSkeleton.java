@@ -51,7 +51,7 @@ public final class SolverSkeleton {
                     int n = source.getStateSize();
                     double[] state = new double[n];
                     double[] dSdt = new double[n];
-                    source.getState(state);                     // s, at time t
+                    source.getState(state);         // s at time t: x, y, z, vx, vy, vz of one particle after the other
                     source.getStateDerivative(dSdt);            // its derivative at (s, t)
 
             OUTLINE
@@ -72,6 +72,7 @@ public final class SolverSkeleton {
                 @Override
                 protected void step(DEStateSource source, double[] s, double deltaT) {
                     double[] dSdt = derivative(s);              // the derivative at (s, t)
+                    // s is x, y, z, vx, vy, vz of one particle after the other, and so is its derivative
 
                     // helpers: eulerStep(a, deltaT) is deltaT times the derivative at a; plus(s, 0.5, k) is s + 0.5 k;
                     // source.incTime(deltaT / 2) moves the clock before the next derivative
@@ -136,18 +137,17 @@ public final class SolverSkeleton {
     }
 
     /**
-     * @param name the class's name; one that promises a method of the slides, as MyRK4Solver does, brings its outline
+     * @param name the class's name; one that declares a method of the slides, as MyRK4Solver does, brings its outline
      * @param base the class that it extends, one of {@link #SOLVER_BASES}
      * @return the text of a solver
      */
     public static String solver(String name, String base) {
-        String outline = switch (SolverCheck.promise(name)) {
-            case "the midpoint method", "Heun's method or the midpoint method", "a Runge-Kutta method of order 2" ->
-                    MIDPOINT;
-            case "a Runge-Kutta method of order 4", "a Runge-Kutta method" -> RK4;
-            case "symplectic Euler", "velocity or position Verlet", "velocity Verlet" -> SIMPLE;
+        String outline = SolverCheck.declared(name).map(method -> switch (method) {
+            case MIDPOINT, RK2 -> MIDPOINT;
+            case RK4 -> RK4;
+            case SYMPLECTIC_EULER, VERLET -> SIMPLE;
             default -> GENERAL;
-        };
+        }).orElse(GENERAL);
         return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", outline).replace(
                 "NAME", name);
     }

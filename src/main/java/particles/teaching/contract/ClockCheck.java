@@ -5,62 +5,50 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
-import particles.teaching.sources.StudentSource;
+import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
 
 /** Whether the clock ends where the step does: for steps of several lengths, and later ones. */
 public final class ClockCheck {
     private static final double START = 2;
-    private static final double H = 1.0 / 32;
-    /** No power of 2, so that a clock in float arithmetic shows. */
-    private static final double TENTH = 0.1;
+    /** The last one is no power of 2, so that a clock in float arithmetic shows. */
+    private static final double[] LENGTHS = {1.0 / 32, 0.25, 0.1};
     private static final double ROUNDING = 1e-13;
-    private static final int LATER_STEPS = 6;
-    /** The state belongs to the time at which it is this much more accurate. */
-    private static final double MUCH_BETTER = 0.25;
+    private static final int STEPS = 6;
 
     private ClockCheck() {
     }
 
-    /** @return the first clock that is wrong, with its cause */
+    /** @return the first clock that is wrong */
     public static Optional<Finding> mistake(Supplier<DESolver> maker) {
-        for (double h : new double[] {H, 8 * H, TENTH}) {
+        for (double h : LENGTHS) {
             DESolver solver = maker.get();
-            WindyOscillators source = begun();
-            for (int step = 1; step <= LATER_STEPS; step++) {
+            WindyOscillators source = new WindyOscillators(1).from(START);
+            for (int step = 1; step <= STEPS; step++) {
                 double before = source.getTime();
-                int moves = source.timeMoves();
                 source.step(solver, h);
                 double moved = source.getTime() - before;
-                if (Math.abs(moved - h) > LATER_STEPS * ROUNDING * h) {
-                    return Optional.of(step == 1 ? wrong(maker, h, moved) : ends("from step " + step + " on ", h,
-                            moved, source.timeMoves() == moves));
+                if (Math.abs(moved - h) > STEPS * ROUNDING * h) {
+                    return Optional.of(wrong(maker, h, moved, step));
                 }
             }
         }
-        return Optional.empty();
+        Springs resting = new Springs(0, 0);
+        resting.step(maker.get(), LENGTHS[0]);
+        return Phrase.CLOCK_AT_REST.when(!Formula.sameTime(resting.getTime() / LENGTHS[0], 1), resting.getTime(), LENGTHS[0]);
     }
 
-    private static WindyOscillators begun() {
-        return new WindyOscillators(1).from(START);
-    }
-
-    private static Finding ends(String when, double h, double moved, boolean still) {
-        return still ? Phrase.CLOCK_STILL.of(when) : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
-    }
-
-    private static Finding wrong(Supplier<DESolver> maker, double h, double moved) {
-        double twice = StudentSource.after(begun(), maker.get(), 1, 2 * h).getTime() - START;
-        if (!Formula.sameTime(moved / h, 0) && Formula.sameTime(twice, moved)) {
+    private static Finding wrong(Supplier<DESolver> maker, double h, double moved, int step) {
+        WindyOscillators other = new WindyOscillators(1).from(START);
+        other.step(maker.get(), 2 * h);
+        if (moved == 0 && step == 1) {
+            return Phrase.CLOCK_STILL.of();
+        } else if (step == 1 && Formula.sameTime(other.getTime() - START, moved)) {
             return Phrase.CLOCK_FIXED.of(moved);
-        } else if (Formula.sameTime(moved - h, START) && Formula.sameTime(twice - 2 * h, START)) {
-            return Phrase.CLOCK_NEW_TIME.of(moved, h, START);
         }
-        WindyOscillators source = StudentSource.after(begun(), maker.get(), 1, h);
-        boolean still = source.timeMoves() == 0;
-        double error = source.error();
-        source.incTime(h - moved);
-        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(Formula.time(moved / h))
-                : ends("", h, moved, still);
+        Optional<FreeFall> fall = FreeFall.of(maker, h, 1).filter(one -> step == 1 && Formula.same(one.moved(), moved
+                / h));
+        return fall.isPresent() ? Phrase.LENGTH.of(Formula.time(moved / h)) : Phrase.CLOCK_ENDS.of(step == 1 ? ""
+                : "from step " + step + " on ", Formula.time(moved / h), h);
     }
 }

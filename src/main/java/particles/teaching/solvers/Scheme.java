@@ -1,145 +1,155 @@
 package particles.teaching.solvers;
 
+import deSolvers.DEStateSource;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.teaching.Formula;
 
 /**
- * A step, known or read from a solver: where and when the derivatives are evaluated, and what the new state is.
+ * An explicit step as weights: where and when the derivatives are evaluated, and what the new state is.
  *
- * @param name          its name
- * @param order         its order
- * @param rows          the weights of s, then those of the derivatives in units of deltaT: a row for the state of each
- *                      evaluation, then the new state's. If positions and velocities move in turn, the weights of x, of
- *                      v deltaT, and of the accelerations in units of deltaT^2: a row for the position of each
- *                      evaluation, then the new position's; at last the new velocity's, without x
- * @param times         the times of the evaluations since the step began, in units of deltaT
- * @param isOfParticles whether positions and velocities move in turn
+ * @param rows      the weights of s, then those of k1, k2, ..., which include deltaT: a row for the state of each
+ *                  evaluation, then that of the new state. Of particles that move in turns, the weights of x, of
+ *                  v deltaT, and of the accelerations in units of deltaT^2: a row for the position of each evaluation,
+ *                  then that of the new position; at last that of the new velocity, with the accelerations in units of
+ *                  deltaT
+ * @param times     the times of the evaluations since the step began, in units of deltaT
+ * @param particles whether positions and velocities move in turns
  */
-record Scheme(String name, int order, List<double[]> rows, double[] times, boolean isOfParticles) {
+public record Scheme(List<double[]> rows, double[] times, boolean particles) implements Step {
 
-    /** @return the number of evaluations */
-    int size() {
-        return times.length;
-    }
-
-    /** @return what a stage's derivative is called */
-    String slope(int i) {
-        return (isOfParticles ? "a" : "k") + (i + 1);
-    }
-
-    /** @return the states of the evaluations; of particles, their positions */
-    List<Combination> stages() {
-        return IntStream.range(0, size()).mapToObj(i -> row(i, slope(i) + " is evaluated at")).toList();
-    }
-
-    /** @return the new state; of particles, the new velocity and the new position */
-    List<Combination> ends() {
-        return isOfParticles ? List.of(row(size() + 1, "the new velocity is"), row(size(), "the new position is"))
-                : List.of(row(size(), "the new state is"));
-    }
-
-    /** @return the states that deltaT and the old state make: all, or a particle's new velocity and position */
-    List<Combination> states() {
-        return Stream.concat(stages().stream().filter(stage -> !isOfParticles), ends().stream()).toList();
-    }
-
-    /** @return what moves the position: v deltaT before the first kick, after it, ..., as far as its row says it */
-    Combination drifts() {
-        List<String> names = new ArrayList<>(List.of("x"));
-        double[] lengths = new double[size() + 2];
-        lengths[0] = 1;
-        for (int i = 0; i <= size(); i++) {
-            names.add("v" + i + " deltaT");
-            lengths[i + 1] = rows.get(i)[1] - (i == 0 ? 0 : rows.get(i - 1)[1]);
+    /**
+     * @param weights the weights of the new state
+     * @param stages  those of the stages from the second one on
+     * @return a Runge-Kutta method
+     */
+    static Scheme rungeKutta(double[] weights, double[]... stages) {
+        List<double[]> rows = new ArrayList<>(List.of(new double[] {1}));
+        for (double[] row : stages) {
+            rows.add(row(1, row));
         }
-        return new Combination("the new position is", names, 0, 1, lengths);
+        double[] times = rows.stream().mapToDouble(row -> sum(row) - 1).toArray();
+        rows.add(row(1, weights));
+        return new Scheme(rows, times, false);
     }
 
     /**
-     * @param reached the drifts that are made up to each of the positions
-     * @param kicks   the kicks in between
-     * @return the rows of a method in which all positions are made by drifts with the velocity after each kick
+     * @param drifts the drifts, x += v d deltaT, a first one before the first kick
+     * @param kicks  the kicks, v += a k deltaT, between the drifts
+     * @return a method of drifts and kicks in turn
      */
-    static List<double[]> inTurn(double[] reached, double[] kicks) {
+    static Scheme turns(double[] drifts, double[] kicks) {
+        double[] reached = drifts.clone();
+        Arrays.parallelPrefix(reached, Double::sum);
         List<double[]> rows = new ArrayList<>();
         for (double place : reached) {
             double[] row = new double[2 + rows.size()];
             Arrays.setAll(row, c -> c == 0 ? 1 : c == 1 ? place : kicks[c - 2] * (place - reached[c - 2]));
             rows.add(row);
         }
-        rows.add(DoubleStream.concat(DoubleStream.of(0, 1), Arrays.stream(kicks)).toArray());
-        return rows;
+        double[] velocity = row(0, row(1, kicks));
+        rows.add(velocity);
+        return new Scheme(rows, Arrays.copyOf(reached, kicks.length), true);
     }
 
-    /** @return whether it is such a method */
-    boolean isInTurn() {
-        return isOfParticles && IntStream.range(0, rows.size()).allMatch(r -> Combination.same(rows.get(r), inTurn(
-                rows.stream().limit(size() + 1).mapToDouble(row -> row[1]).toArray(), row(size() + 1, "").slopes(
-                size())).get(r)));
+    private static double[] row(double first, double[] others) {
+        double[] row = new double[others.length + 1];
+        row[0] = first;
+        System.arraycopy(others, 0, row, 1, others.length);
+        return row;
     }
 
-    private Combination row(int r, String what) {
-        boolean velocity = r > size();
-        List<String> names = new ArrayList<>(!isOfParticles ? List.of("s") : List.of("x", velocity ? "v"
-                : "v deltaT"));
-        IntStream.range(0, size()).forEach(j -> names.add(slope(j) + (!isOfParticles ? "" : velocity ? " deltaT"
-                : " deltaT^2")));
-        return new Combination(what, names, velocity && isOfParticles ? 1 : 0, first(), rows.get(r));
+    static double sum(double[] row) {
+        return Arrays.stream(row).sum();
     }
 
-    /** @return the source of the formula: the slide, or the method itself */
-    String source() {
-        return KnownMethods.ON_SLIDES.contains(name) ? "the slide" : isOfParticles ? "the method" : name;
-    }
-
-    /** @return a text in the slides' own words, where they have some for this method */
-    String words(String text) {
-        return switch (name) {
-            case KnownMethods.EULER -> text.replace("k1 is", "dSdt is").replace("k1", "deltaS");
-            case KnownMethods.MIDPOINT -> text.replace("k1 is", "dSdt is").replace("k2 is", "gMid is")
-                    .replace("k1", "deltaS").replaceAll("(of|and) k2", "$1 gMid").replace("k2", "deltaT gMid");
-            default -> text;
-        };
+    /** @return the number of evaluations */
+    int size() {
+        return times.length;
     }
 
     /** @return the column of the first derivative */
     int first() {
-        return isOfParticles ? 2 : 1;
+        return particles ? 2 : 1;
     }
 
-    /** Whether an evaluation enters another one or the new state, or is at a place of its own. */
-    private boolean isUsed(int j) {
-        return rows.stream().anyMatch(row -> row[first() + j] != 0) || !isOfParticles && j < size() - 1
-                && !(Combination.same(rows.get(j), rows.get(j + 1)) && Formula.sameTime(times[j], times[j + 1]));
+    /** @return the column of the state that a row moves */
+    int own(int r) {
+        return r > size() ? 1 : 0;
     }
 
-    /** @return the same without evaluations at the end, or at the next one's place, that enter nothing */
-    Scheme withoutUnused() {
-        return only(IntStream.range(0, size()).filter(this::isUsed).toArray());
+    /** @return the same with another row */
+    Scheme with(int r, double[] row) {
+        List<double[]> changed = new ArrayList<>(rows);
+        changed.set(r, row);
+        return new Scheme(changed, times, particles);
     }
 
-    /** @return the same with the evaluations alone that enter the new state, without those of a first guess */
-    Scheme ofTheEnd() {
-        return only(IntStream.range(0, size()).filter(j -> rows.stream().skip(size()).anyMatch(row ->
-                row[first() + j] != 0)).toArray());
+    /** @return the same with other times */
+    Scheme at(double... others) {
+        return new Scheme(rows, others, particles);
     }
 
-    /** @return the same with these evaluations alone */
-    Scheme only(int... kept) {
-        List<double[]> left = IntStream.concat(Arrays.stream(kept), IntStream.range(size(), rows.size())).mapToObj(r ->
-                DoubleStream.concat(Arrays.stream(rows.get(r)).limit(first()), Arrays.stream(kept).mapToDouble(j ->
-                rows.get(r)[first() + j])).toArray()).toList();
-        return new Scheme(name, order, left, Arrays.stream(kept).mapToDouble(i -> times[i]).toArray(), isOfParticles);
+    @Override
+    public void make(DEStateSource source, double deltaT) {
+        double start = source.getTime();
+        double[] s = new double[source.getStateSize()];
+        source.getState(s);
+        double[][] f = new double[size()][s.length];
+        for (int j = 0; j < size(); j++) {
+            source.setState(state(s, f, j, deltaT));
+            source.incTime(start + times[j] * deltaT - source.getTime());
+            source.getStateDerivative(f[j]);
+        }
+        source.setState(state(s, f, size(), deltaT));
+        source.incTime(start + deltaT - source.getTime());
     }
 
-    /** @return the weights of the new state, each multiplied by its evaluation's time to this power */
-    double moment(int power) {
-        return IntStream.range(0, size()).mapToDouble(i -> rows.get(size())[1 + i] * StrictMath.pow(times[i], power))
-                .sum();
+    /** The state of an evaluation or the new one. A law without drag does not see the trial velocities of turns. */
+    private double[] state(double[] s, double[][] f, int r, double h) {
+        double[] next = s.clone();
+        for (int k = 0; k < s.length; k++) {
+            boolean position = particles && k % 6 < 3;
+            boolean velocity = particles && !position;
+            if (velocity && r < size()) {
+                continue;
+            }
+            double[] row = rows.get(velocity ? r + 1 : r);
+            next[k] = row[velocity ? 1 : 0] * s[k] + (position ? row[1] * h * s[k + 3] : 0);
+            for (int c = first(); c < row.length; c++) {
+                next[k] += row[c] * h * (position ? h * f[c - 2][k + 3] : f[c - first()][k]);
+            }
+        }
+        return next;
+    }
+
+    /** @return what a row says, such as {@code k2 = deltaT f is taken at} */
+    String what(int r) {
+        return r > size() ? "the new velocity is" : r == size() ? particles ? "the new position is"
+                : "the new state, where each k includes deltaT, is" : (particles ? "the acceleration a" + (r + 1)
+                : "k" + (r + 1) + " = deltaT f") + " is taken at";
+    }
+
+    /** @return a row as a formula, such as {@code s + k1/2} */
+    String formula(int r) {
+        boolean velocity = r > size();
+        List<String> names = new ArrayList<>(!particles ? List.of("s") : List.of("x", velocity ? "v" : "v deltaT"));
+        IntStream.rangeClosed(1, size()).forEach(j -> names.add(!particles ? "k" + j : "a" + j + (velocity ? " deltaT"
+                : " deltaT^2")));
+        return Formula.sum(rows.get(r), names);
+    }
+
+    /** @return the first row that is another one than in a method of the same kind; -1 if none is */
+    int unlike(Scheme other) {
+        return IntStream.range(0, Math.min(rows.size(), other.rows.size())).filter(r -> !same(rows.get(r),
+                other.rows.get(r))).findFirst().orElse(-1);
+    }
+
+    /** @return whether two rows are equal up to round-off, where missing numbers are 0 */
+    static boolean same(double[] x, double[] y) {
+        return IntStream.range(0, Math.max(x.length, y.length)).allMatch(j -> Formula.same(j < x.length ? x[j] : 0,
+                j < y.length ? y[j] : 0));
     }
 }

@@ -1,240 +1,281 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
-import deSolvers.FixedStepSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Iterator;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.contract.ClockCheck;
+import particles.teaching.contract.FreeFall;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.contract.SolverMemory;
-import particles.teaching.sources.OrderMeasurement;
+import particles.teaching.solvers.Agreement.Match;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
-/**
- * Checks a student's solver: identifies its method, and names one mistake, the first that explains the rest. It reads
- * the coefficients from a step. A method without fixed coefficients is judged by the equation that it solves, by the
- * weights of its later steps, or by its measured order.
- */
+/** Checks a student's solver: says which method it is, and names one mistake, the first that explains the rest. */
 public final class SolverCheck {
+    private static final int STEPS = 6;
     private static final double SHORT = 1.0 / 16;
-    /** A static memory of earlier derivatives shows once it is full. */
-    private static final int REPEATED = 6;
-    /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
-    private static final double OFF_CLOCK = 20;
-    /** Smaller errors may be those of a tolerance; ten times that, those of coefficients with eight digits. */
-    private static final double TOLERATED = 1e-8;
-
-    private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
-    private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
+    private static final String UNKNOWN = "Its step cannot be judged yet.";
 
     private final Supplier<DESolver> maker;
-    private final NamePromise promise;
-    private final ExplicitMethod explicit;
+    private final Optional<Declaration> declared;
     private final SolverContract contract;
-    private final UnreadMethod unread;
-    private final List<Finding> findings = new ArrayList<>();
-    private Optional<OrderMeasurement> measured = Optional.empty();
-    private Optional<Finding> clock;
-    private SolverMemory memory;
-    private String identity = "Its step cannot be judged yet.";
+    private final Control control;
+    private final List<Finding> notes = new ArrayList<>();
+    private String identity = UNKNOWN;
+    private Optional<Method> known = Optional.empty();
+    private boolean remembers;
     private boolean multistep;
+    private Orders orders;
 
-    private SolverCheck(Supplier<DESolver> maker, String className) {
+    /** A search for a mistake. */
+    private interface Search {
+        Optional<Finding> find();
+    }
+
+    private SolverCheck(Supplier<DESolver> maker, Optional<Declaration> declared) {
         this.maker = maker;
-        promise = NamePromise.of(className);
-        explicit = new ExplicitMethod(maker, promise, this::measurement);
+        this.declared = declared;
         contract = new SolverContract(maker);
-        unread = new UnreadMethod(maker, contract);
+        control = new Control(maker);
     }
 
     /**
      * Checks a solver.
      *
      * @param maker     makes a new one
-     * @param className the simple name of its class, which may promise a method, as HeunSolver does
+     * @param className the simple name of its class, which may declare a method, as HeunSolver does
      * @return its method, at most one mistake, and advice
      */
     public static SolverVerdict check(Supplier<DESolver> maker, String className) {
-        return new SolverCheck(maker, className).verdict();
+        return new SolverCheck(maker, Declaration.of(className)).verdict();
     }
 
-    /** @return the method that a class's name promises, such as velocity Verlet; empty if it promises none */
-    public static String promise(String className) {
-        return NamePromise.of(className).says();
+    /**
+     * Checks a solver that has to be this method.
+     *
+     * @param maker makes a new one
+     * @return its method, at most one mistake, and advice
+     */
+    public static SolverVerdict check(Supplier<DESolver> maker, Method method) {
+        return new SolverCheck(maker, Optional.of(new Declaration(method, true, true))).verdict();
+    }
+
+    /** @return the method that a class's name declares */
+    public static Optional<Method> declared(String className) {
+        return Declaration.of(className).map(Declaration::method);
     }
 
     private SolverVerdict verdict() {
+        List<Finding> findings = new ArrayList<>();
         try {
-            start().ifPresentOrElse(findings::add, this::judge);
+            Optional<Finding> wrong = contract.start();
+            findings.addAll(wrong.isPresent() ? List.of(wrong.get()) : judge());
         } catch (RuntimeException e) {
             findings.add(Phrase.EXCEPTION.of(StudentFailure.describe(e)));
         }
-        return new SolverVerdict(identity + (identity.endsWith(".") ? "" : isWrong() ? ", apart from the mistake below."
-                : "."), firstMistake(), multistep);
-    }
-
-    /** Whether it makes a step at all, and the same one each time. */
-    private Optional<Finding> start() {
-        WindyOscillators source = new WindyOscillators(2);
-        WindyOscillators again = source.copy();
-        double[] before = source.getState();
-        source.step(maker.get(), SHORT);
-        boolean written = source.getEvaluations() > 1 || !(maker.get() instanceof FixedStepSolver) && (source.isSet()
-                || source.timeMoves() > 0);
-        return Phrase.NOTHING_YET.when(!written && Arrays.equals(before, source.getState())).or(() ->
-                Phrase.NOT_FINITE.when(!Double.isFinite(Arrays.stream(source.getState()).sum()))).or(() ->
-                Phrase.NOT_REPEATABLE.when(!IntStream.range(0, REPEATED).allMatch(time -> {
-                    WindyOscillators twin = again.copy();
-                    twin.step(maker.get(), SHORT);
-                    return Arrays.equals(twin.getState(), source.getState()) && twin.getTime() == source.getTime();
-                }))).or(() -> Search.first(contract::mixed, contract::adds));
-    }
-
-    /** Finds mistakes, and the method. */
-    private void judge() {
-        memory = SolverMemory.of(contract);
-        multistep = memory.multistep();
-        clock = ClockCheck.mistake(maker).map(finding -> unread.rejectedClock().orElse(finding)).or(() ->
-                Search.first(contract::still));
-        Diagnosis diagnosis = memory.remembers() ? remembering()
-                : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
-        identity = diagnosis.identity();
-        diagnosis.finding().ifPresent(findings::add);
-        clock.ifPresent(findings::add);
-        if (!isWrong()) {
-            promised(diagnosis).ifPresent(findings::add);
-        }
-        findings.addAll(contract.check(memory));
-        if (!isWrong()) {
-            (memory.remembers() ? afterContract() : heldBy(diagnosis)).or(() -> promise.isSymmetric()
-                    ? unread.irreversible(promise.says()) : Optional.empty()).ifPresent(findings::add);
-        }
-    }
-
-    private OrderMeasurement measurement() {
-        measured = measured.or(() -> Optional.of(OrderMeasurement.of(maker, () -> WindyOscillators.nonlinear(1))));
-        return measured.get();
-    }
-
-    /** Whether it is a method of the kind that its name says. */
-    private Optional<Finding> promised(Diagnosis diagnosis) {
-        return Phrase.NO_CONTROL.when(promise.adapts() && diagnosis.order() > 0).or(() -> !promise.isGiven()
-                ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER) && contract.isForParticles())
-                : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier") && !memory.remembers(), promise.says())
-                .or(() -> promise.contradicted(diagnosis.method(), diagnosis.order())));
-    }
-
-    private boolean isWrong() {
-        return findings.stream().anyMatch(Finding::isWrong);
-    }
-
-    /** The first mistake, which explains the later ones, and the first notes on style. */
-    private List<Finding> firstMistake() {
         Optional<Finding> first = findings.stream().filter(Finding::isWrong).findFirst();
-        return findings.stream().filter(finding -> !finding.isWrong() || finding == first.get()).distinct().toList();
+        return new SolverVerdict(known, identity, Stream.concat(first.stream(), Stream.concat(findings.stream(),
+                notes.stream()).filter(finding -> !finding.isWrong()).distinct()).toList(), multistep);
     }
 
-    /** The diagnosis of a method whose steps use results of earlier ones. */
-    private Diagnosis remembering() {
-        boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong(promise).isEmpty()).isPresent();
-        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, Phrase.STALE.when(evaluations(1)
-                == evaluations(2)));
-    }
-
-    private long evaluations(int steps) {
-        return StudentSource.after(new WindyOscillators(1), maker.get(), steps, SHORT).getEvaluations();
-    }
-
-    /**
-     * Looks for mistakes of a method with memory that only the measured order shows, once its memory is known to be
-     * reset in time.
-     */
-    private Optional<Finding> afterContract() {
-        return stageClocks().or(() -> !multistep ? Optional.empty() : SolvedEquation.ofEarlierSteps(
-                maker).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
-                .or(() -> poorOrder(() -> SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise)).or(() ->
-                Phrase.START.when(unread.firstOrder() < measurement().order() + 0.5, wanted(), measurement().digits(),
-                wanted() - 1))));
-    }
-
-    /** The diagnosis of an implicit method whose equation is known. */
-    private Optional<Diagnosis> equation() {
-        Optional<SolvedEquation> found = SolvedEquation.of(maker, false);
-        return found.map(SolvedEquation::name).or(() -> Optional.of(promise.says()).filter(name ->
-                promise.isImplicit() && KnownMethods.IMPLICIT.contains(name))).or(() -> unread.makesSubSteps()
-                ? Optional.empty() : SolvedEquation.near(maker)).map(name -> new Diagnosis("This is " + name,
-                Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, contract::asymmetric, () ->
-                SolvedEquation.loose(maker, name, contract.solvesWithMatrix())), 0, found.isPresent() ? name : ""));
-    }
-
-    /** The diagnosis of a method whose coefficients cannot be read. */
-    private Diagnosis measured() {
-        return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
-                finding.kind() != Finding.Kind.METHOD), contract::asymmetric, this::stageClocks, unread::uncut, () ->
-                unread.stages(promise, measurement().order()), () -> poorOrder(this::unstable), unread::elsewhere,
-                unread::uncontrolled, () ->
-                promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
-                : Optional.empty(), explicit::dragged)));
-    }
-
-    private Optional<Finding> unstable() {
-        return unread.unstable(measurement().order());
-    }
-
-    /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
-    private Optional<Finding> firstSubStep(Predicate<Finding> which) {
-        return !unread.makesSubSteps() ? Optional.empty() : explicit.diagnosis(SolverContract.TINY).flatMap(
-                Diagnosis::finding).filter(which.and(Finding::isWrong));
-    }
-
-    /** Whether the measured order is that of the coefficients. */
-    private Optional<Finding> heldBy(Diagnosis diagnosis) {
-        return diagnosis.order() == 0 ? Optional.empty() : Phrase.OTHER_STEPS.when(measurement().order()
-                < diagnosis.order() - 0.5 && measurement().smallest()[1] > 10 * TOLERATED, measurement().digits(),
-                diagnosis.order());
-    }
-
-    /** Whether the law that is read off the clock leads astray, and the same law without a clock does not. */
-    private Optional<Finding> stageClocks() {
-        Iterator<double[]> timeless = OrderMeasurement.of(maker, WindyOscillators::timeless).points().iterator();
-        for (double[] point : measurement().points()) {
-            double error = point[1];
-            double without = timeless.hasNext() ? timeless.next()[1] : error;
-            if (error > OFF_CLOCK * without && error > TOLERATED && Double.isFinite(error)) {
-                return unread.rejectedClock().or(() -> Optional.of(Phrase.STAGE_CLOCKS.of(error, point[0], without)));
-            }
+    private List<Finding> judge() {
+        SolverMemory memory = new SolverMemory(maker);
+        remembers = memory.remembers();
+        Optional<Finding> clock = ClockCheck.mistake(maker);
+        Optional<Finding> formula = clock.or(() -> remembers ? ofEarlierSteps() : ofOneStep());
+        List<Finding> findings = new ArrayList<>(formula.stream().toList());
+        if (formula.isEmpty()) {
+            findings.addAll(memory.mistake().stream().toList());
+            findings.addAll(contract.conduct());
         }
-        return Optional.empty();
+        return findings;
     }
 
-    /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */
-    private int wanted() {
-        return Math.max(multistep ? 2 : 0, promise.order());
+    /** @return the first of these that finds something; one whose steps the solver refuses finds nothing */
+    private static Optional<Finding> first(Search... searches) {
+        return Arrays.stream(searches).map(search -> {
+            try {
+                return search.find();
+            } catch (RuntimeException e) {
+                return Optional.<Finding>empty();       // it wants another source, or shorter steps
+            }
+        }).flatMap(Optional::stream).findFirst();
     }
 
-    /**
-     * Whether the error goes to 0, and as fast as the class's name promises. Below the lowest order that is one, a
-     * small error is that of a tolerance, whatever deltaT is.
-     */
-    private Optional<Finding> poorOrder(Search cause) {
-        OrderMeasurement order = measurement();
-        boolean far = order.isFar();
-        return !far && !(order.order() >= OrderMeasurement.LOWEST && order.order() <= wanted() - 0.5) ? Optional.empty()
-                : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), () -> firstSubStep(finding ->
-                true), cause, () ->
-                Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
-                Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven()
-                ? promise.saysWithOrder(promise.order())
-                : "a method that uses derivatives of earlier steps has at least order 2")));
+    private Optional<Finding> ofOneStep() {
+        Agreement agreement = new Agreement(maker);
+        Optional<Match> match = agreement.known();
+        Fit fit = new Fit(maker, false);
+        Optional<Fit.Found> equation = match.isPresent() ? Optional.empty() : fit.known();
+        known = match.map(Match::method).or(() -> equation.map(Fit.Found::method));
+        match.filter(one -> one.isPrinted() && !one.isFloat()).ifPresent(one -> notes.add(Phrase.PRINTED.of()));
+        Optional<Scheme> read = known.isPresent() ? Optional.empty() : Reading.of(maker).map(Reading::used);
+        known.ifPresent(method -> identity = "This is " + method.title() + ".");
+        Optional<Finding> wrong = measured(match, fit, equation, read);
+        return wrong.isPresent() ? agreement.mistake(suspects()).map(SolverCheck::named).or(() -> wrong.map(finding ->
+                compared(finding, read))) : known.isPresent() ? Optional.empty() : agreement.mistake(suspects())
+                .filter(this::isMeant).map(SolverCheck::named).or(() -> asked(agreement, read));
+    }
+
+    /** The methods of which it may be a mistake: the declared one, or those with as many evaluations, then others. */
+    private Stream<Method> suspects() {
+        long evaluations = contract.evaluations(1, SHORT);
+        Optional<Method> meant = declared.map(Declaration::method).filter(method -> !method.isFamily());
+        return known.isPresent() ? Stream.empty() : meant.isPresent() ? meant.stream() : Arrays.stream(Method.values())
+                .sorted(Comparator.comparing(method -> method.schemes().stream().noneMatch(scheme -> scheme.size()
+                == evaluations)));
+    }
+
+    /** Whether a right step is a mistake of the method that is declared, or of one that is not done in turns. */
+    private boolean isMeant(Agreement.Cause cause) {
+        return declared.map(one -> one.alone() && one.method() == cause.method()).orElse(orders.order()
+                < cause.method().order() - 0.5 || cause.mistake().isInTurn());
+    }
+
+    /** What is wrong, as measured; empty for a right one. */
+    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Fit.Found> equation, Optional<Scheme> read) {
+        Optional<Finding> other = known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent()).map(
+                method -> Phrase.CONTRADICTS.of(method.title(), declared.get().method().title()));
+        if (other.isPresent()) {
+            return other;
+        }
+        boolean turns = known.filter(method -> method.schemes().stream().anyMatch(Scheme::particles)).isPresent();
+        boolean implicit = declared.filter(one -> one.method().isImplicit()).isPresent();
+        Optional<Finding> found = first(() -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(
+                one.method().title(), one.distance())), () -> implicit && known.isEmpty() && declared.get().alone()
+                ? fit.mistake(declared.map(Declaration::method)).map(SolverCheck::solved) : Optional.empty(),
+                contract::entries, () -> FreeFall.mistake(maker, 1), contract::units,
+                () -> equation.flatMap(one -> fit.loose(one, contract.makesDifferences())).map(SolverCheck::off));
+        if (found.isPresent()) {
+            return found;
+        }
+        orders = Orders.of(maker);
+        identity = known.isPresent() ? identity : described(read);
+        if (turns || known.isEmpty() && read.isEmpty()) {
+            orders.note().ifPresent(notes::add);
+        }
+        boolean matrix = contract.makesDifferences();
+        boolean subSteps = control.makesSubSteps();
+        return first(() -> implicit && known.isEmpty()
+                && declared.get().alone() ? unsolved(fit, read) : Optional.empty(), () -> orders.mistake(
+                declared, read.isPresent()), contract::asymmetric, () -> subSteps ? control.uncontrolled()
+                : Phrase.NO_CONTROL.when(declared.filter(one -> one.method() == Method.ADAPTIVE).isPresent()), () ->
+                known.isEmpty() && read.isEmpty() && (implicit
+                || matrix) ? control.unstable().filter(one ->
+                one.isWrong() || notes.add(one)).filter(Finding::isWrong) : Optional.empty(), () -> earlier(),
+                () -> read.flatMap(scheme -> Phrase.NO_BETTER.when(scheme.size() > 1 && orders.order() < 1.5
+                && !control.isStableAs(scheme.size()), orders.clock().digits(), scheme.size())));
+    }
+
+    private Optional<Finding> earlier() {
+        return declared.filter(Declaration::alone).map(Declaration::method).flatMap(method -> Phrase.NOTHING_EARLIER.when(method
+                == Method.MULTISTEP || method.equations().stream().anyMatch(Equation::usesEarlier), method.title()));
+    }
+
+    /** The equation of a declared implicit method is not fulfilled. */
+    private Optional<Finding> unsolved(Fit fit, Optional<Scheme> read) {
+        Method method = declared.get().method();
+        if (method.equations().isEmpty()) {
+            return Optional.empty();
+        }
+        Fit.Found best = fit.best(method, method.equations().get(0));
+        return read.map(scheme ->
+                Phrase.EXPLICIT.of(scheme.size(), method.title(), best.equation().formula(), best.deltaT(),
+                best.residual())).or(() -> Optional.of(off(best)));
+    }
+
+    private static Finding off(Fit.Found found) {
+        return Phrase.EQUATION_OFF.of(found.method().title(), found.equation().formula(), found.residual(),
+                found.deltaT());
+    }
+
+    private static Finding solved(Fit.Found found) {
+        return Phrase.EQUATION.of(found.equation().formula(), found.method().title(), found.method().equations().get(0)
+                .formula());
+    }
+
+    /** A step that is right, where another method was asked for. */
+    private Optional<Finding> asked(Agreement agreement, Optional<Scheme> read) {
+        return declared.filter(one -> one.asked() && !one.method().schemes().isEmpty()).map(one -> compared(
+                Phrase.NOT_THE_METHOD.of(one.method().title(), agreement.distance(one.method().schemes().get(0)),
+                Agreement.H), read));
+    }
+
+    private static Finding named(Agreement.Cause cause) {
+        String title = cause.method().title();
+        Scheme right = cause.scheme();
+        return cause.changed().map(changed -> {
+            int r = changed.unlike(right);
+            if (cause.mistake().isOfDeltaT()) {
+                return Phrase.BY_DELTA_T.of(title, right.what(r), right.formula(r), cause.mistake());
+            }
+            if (r >= 0) {
+                return Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title, right.formula(r),
+                        cause.mistake());
+            }
+            int j = 0;
+            while (changed.times()[j] == right.times()[j]) {
+                j++;
+            }
+            return Phrase.STAGE_TIMES.of(j + 1, Formula.time(changed.times()[j]), title,
+                    Formula.time(right.times()[j]), cause.mistake());
+        }).orElseGet(() -> Phrase.STEP.of(title, cause.mistake()));
+    }
+
+    /** Says where the step leaves the declared method's, in numbers. */
+    private Finding compared(Finding finding, Optional<Scheme> read) {
+        Optional<Scheme> right = declared.flatMap(one -> one.method().schemes().stream().findFirst());
+        if (right.isEmpty() || finding.kind() != Kind.METHOD || finding.cause() == Phrase.FALL) {
+            return finding;
+        }
+        String title = declared.get().method().title();
+        Scheme known = right.get();
+        return read.filter(scheme -> !known.particles()).map(scheme -> {
+            int r = scheme.unlike(known);
+            return scheme.size() != known.size() ? Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size())
+                    : r < 0 ? finding : Phrase.ROW.of(finding.text(), scheme.what(r), scheme.formula(r), title,
+                    known.formula(r));
+        }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(own::isUnlike).map(
+                other -> Phrase.OTHER_STEP.of(finding.text(), own.fell(), own.speed(), title, other.fell(),
+                other.speed())))).orElse(finding);
+    }
+
+    private String described(Optional<Scheme> read) {
+        String order = orders.whole().map(whole -> " of order " + whole).orElse("");
+        return "This is a method" + order + (read.isPresent() ? " (evaluations in a step: "
+                + read.get().size() + ")" : control.makesSubSteps() ? " that makes sub-steps" : "")
+                + "; it is none that the check knows by name.";
+    }
+
+    private Optional<Finding> ofEarlierSteps() {
+        Fit fit = new Fit(maker, true);
+        Optional<Fit.Found> equation = fit.known();
+        known = equation.map(Fit.Found::method);
+        multistep = known.isPresent() || contract.evaluations(1, SHORT) == contract.evaluations(1, 8);
+        identity = known.map(method -> "This is " + method.title() + ".").orElse(multistep ? "This is "
+                + Method.MULTISTEP.title() + "." : "This is a method that keeps something of earlier steps.");
+        Optional<Finding> wrong = first(() -> Phrase.STALE.when(StudentSource.after(new WindyOscillators(1), maker.get(),
+                2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () -> FreeFall.mistake(maker, STEPS), contract::units, () -> {
+            orders = Orders.of(maker);
+            return orders.mistake(declared, false);
+        }, contract::asymmetric, () -> control.makesSubSteps() ? control.uncontrolled() : Optional.empty(), () ->
+                Phrase.LOW_ORDER.when(multistep && !contract.makesDifferences() && orders.order() < 1.5, orders.clock().digits(), "",
+                Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method -> declared.filter(one ->
+                !one.allows(method)).isPresent()).map(method -> Phrase.CONTRADICTS.of(method.title(), declared.get()
+                .method().title())));
+        return wrong.map(finding -> finding.kind() == Kind.STATE ? finding : known.isPresent() ? known.filter(method -> orders != null).map(method ->
+                Phrase.START.of(method.order(), orders.clock().digits())).orElse(finding) : fit.mistake(declared.map(
+                Declaration::method)).map(SolverCheck::solved).orElseGet(() -> compared(finding, Optional.empty())));
     }
 }

@@ -1,16 +1,18 @@
 package particles.teaching.solvers;
 
 import java.util.List;
+import java.util.Optional;
 import particles.teaching.Finding;
 
 /**
  * The result of checking a solver: its method, mistakes and advice.
  *
- * @param identity  the method, in a sentence
- * @param findings  mistakes and advice
+ * @param method    the known method that it is; empty if it is none
+ * @param identity  what it is, in a sentence
+ * @param findings  at most one mistake, and advice
  * @param multistep whether a step uses earlier ones
  */
-public record SolverVerdict(String identity, List<Finding> findings, boolean multistep) {
+public record SolverVerdict(Optional<Method> method, String identity, List<Finding> findings, boolean multistep) {
 
     /** @return the mistakes */
     public List<Finding> wrong() {

@@ -1,11 +1,8 @@
 /**
- * Checks of a student's solver, which name the mistake.
- *
- * <p>The check reads the coefficients of a one-step method from one step. {@link particles.teaching.sources.Probe} is a
- * made-up source whose j-th derivative is the j-th unit vector. Each state that the solver sets is then a list of
- * coefficients: its entry j is the weight of the j-th evaluation. The check compares the coefficients with those of
- * known methods, and describes each difference in the words of the slides. Methods without fixed coefficients -
- * adaptive, implicit, multistep - are judged by the equations that they solve, the weights of later steps, their
- * measured order, and the accuracy that they keep.
+ * Checks of a student's solver, in three steps. What it is meant to be is declared ({@link
+ * particles.teaching.solvers.Method}). Its steps are compared with those of known methods, and with those that typical
+ * mistakes make of them ({@link particles.teaching.solvers.Mistake}): a mistake is named if it makes the same steps, to
+ * round-off, on two sources. What cannot be compared is measured: motions that every method makes exactly, the order on
+ * three sources, stability, step-size control.
  */
 package particles.teaching.solvers;

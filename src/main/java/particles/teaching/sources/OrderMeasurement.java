@@ -1,11 +1,11 @@
 package particles.teaching.sources;
 
 import deSolvers.DESolver;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
@@ -38,15 +38,13 @@ public record OrderMeasurement(double order, List<double[]> points) {
         return measure(maker, () -> new WindyOscillators(1));
     }
 
-    /**
-     * @return the measurement on this law, not from 0, where the field does not change, so that the first step's clock
-     *         hardly shows
-     */
+    /** @return the measurement on a nonlinear law, from a time at which the field changes */
     public static OrderMeasurement of(Supplier<DESolver> maker, Supplier<WindyOscillators> laws) {
         return measure(maker, () -> laws.get().from(START));
     }
 
-    private static OrderMeasurement measure(Supplier<DESolver> maker, Supplier<WindyOscillators> sources) {
+    /** @return the measurement on these sources, from where they are */
+    public static OrderMeasurement measure(Supplier<DESolver> maker, Supplier<? extends StudentSource> sources) {
         List<double[]> points = new ArrayList<>();
         List<Double> slopes = new ArrayList<>();
         double last = Double.NaN;
@@ -83,7 +81,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
 
     /** @return the order with two digits */
     public String digits() {
-        return String.format(Locale.ROOT, "%.2f", order);
+        return Digits.format("%.2f", order);
     }
 
     /** @return the point with the smallest error */

@@ -15,7 +15,7 @@ import particles.teaching.StudentFailure;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
-    private static final int MOST_RECORDED = 4;
+    private static final int MOST_RECORDED = 6;
     private static final int MOST_TIMES = 100_000;
     /** In one step; a right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
@@ -170,7 +170,7 @@ public abstract class StudentSource extends ReferenceProblem {
     }
 
     /** A source of positions and velocities in space, whose accelerations do not depend on velocities. */
-    interface SecondOrderSource extends SecondOrderStateSource {
+    public interface SecondOrderSource extends SecondOrderStateSource {
         @Override
         default int getDimension() {
             return 3;

@@ -188,7 +188,7 @@ class CheckSolverCommandTest {
         String screen = Screen.of(ExitCode.BAD_INPUT, List.of(new CheckSolverCommand()), OptionStyle.SHELL,
                 "checkSolver", "--solver=" + Refuses.class.getName(), "--method=rk4", "--slide", "--svg", "--out="
                 + folder);
-        assertHas(screen, "PROMISE, name: this is the Euler method and not a Runge-Kutta method of order 4");
+        assertHas(screen, "PROMISE, name: this is the Euler method and not RK4, the classical Runge-Kutta method");
         assertStarts(Files.readString(folder.resolve("order.svg")), "<");
         assertTrue(Files.exists(folder.resolve("slides.pdf")), "slides");
     }
@@ -244,7 +244,7 @@ class CheckSolverCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertHas(here(ExitCode.BAD_INPUT, "HeunSolver", folder),
-                "no class or solver is called 'exercises.HeunSolver'; known");
+                "no class is called 'exercises.HeunSolver'; the files in the folder of exercises are: none; known solvers:");
     }
 
     /** Java counts 247 MB of 256 MB as usable with its serial collector. */

@@ -81,8 +81,8 @@ class NewClassCommandTest {
 
     @Test
     void everySlidesOutlineIsThere() throws IOException {
-        Map<String, String> names = Map.of("gMid", "MidpointSolver RK2 SecondOrderRungeKutta ModifiedEuler",
-                "k4/6", "RK4Solver RungeKutta", "v += a * deltaT", "SymplecticEulerSolver Leapfrog KickDriftKick",
+        Map<String, String> names = Map.of("gMid", "MidpointSolver RK2 ModifiedEuler",
+                "k4/6", "RK4Solver RungeKutta4", "v += a * deltaT", "SymplecticEulerSolver Leapfrog",
                 "weights add up to 1", "HeunSolver ImplicitMidpoint RungeKuttaFehlberg Smith");
         for (Map.Entry<String, String> entry : names.entrySet()) {
             for (String name : entry.getValue().split(" ")) {

@@ -10,18 +10,9 @@ public final class PlantedSolvers {
     private PlantedSolvers() {
     }
 
-    /** What {@link DESolver#stepState} does. */
-    public interface Step {
-        void make(DEStateSource source, double deltaT);
-    }
-
+    /** @return a solver that makes these steps */
     public static DESolver solver(Step step) {
-        return new DESolver() {
-            @Override
-            public void stepState(DEStateSource source, double deltaT) {
-                step.make(source, deltaT);
-            }
-        };
+        return step.solver();
     }
 
     public static double[] state(DEStateSource source) {
@@ -47,6 +38,17 @@ public final class PlantedSolvers {
         return sum;
     }
 
+    /** @return s with multiples of others added: a number, then an array, and so on */
+    static double[] plus(double[] s, Object... others) {
+        double[] sum = s.clone();
+        for (int j = 0; j < others.length; j += 2) {
+            double factor = ((Number) others[j]).doubleValue();
+            double[] other = (double[]) others[j + 1];
+            Arrays.setAll(sum, i -> sum[i] + factor * other[i]);
+        }
+        return sum;
+    }
+
     /** The Euler step with its increment as told. */
     public static DESolver euler(java.util.function.DoubleBinaryOperator increment) {
         return solver((source, deltaT) -> {
@@ -55,33 +57,6 @@ public final class PlantedSolvers {
             source.setState(with(state, i -> increment.applyAsDouble(dSdt[i], deltaT)));
             source.incTime(deltaT);
         });
-    }
-
-    /** Moves one entry after the other, there and back, by the midpoint method. */
-    public static void splitting(DEStateSource source, double deltaT) {
-        double[] state = state(source);
-        source.incTime(deltaT / 2);
-        for (int j = 0; j < 2 * state.length; j++) {
-            int i = Math.min(j, 2 * state.length - 1 - j);
-            double old = state[i];
-            state[i] += deltaT / 4 * slopeAt(source, state)[i];
-            state[i] = old + deltaT / 2 * slopeAt(source, state)[i];
-        }
-        source.setState(state);
-        source.incTime(deltaT / 2);
-    }
-
-    /** Moves the even entries by half of deltaT, the odd ones by all of it and the even ones again: Heun's method. */
-    public static void evenAndOdd(DEStateSource source, double deltaT) {
-        for (int turn = 0; turn < 3; turn++) {
-            int odd = turn % 2;
-            double h = deltaT / (2 - odd);
-            double[] state = state(source);
-            double[] k1 = slope(source);
-            double[] k2 = slopeAt(source, with(state, i -> i % 2 == odd ? h * k1[i] : 0));
-            source.setState(with(state, i -> i % 2 == odd ? h / 2 * (k1[i] + k2[i]) : 0));
-            source.incTime(turn < 2 ? deltaT / 2 : 0);
-        }
     }
 
     /** Positions and velocities of blocks of six, as the slides' simple algorithm has them. */

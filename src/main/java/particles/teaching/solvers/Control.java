@@ -1,0 +1,77 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import particles.teaching.Finding;
+import particles.teaching.contract.Phrase;
+import particles.teaching.sources.Springs;
+import particles.teaching.sources.StiffDecay;
+import particles.teaching.sources.StudentSource;
+import particles.teaching.sources.WindyOscillators;
+
+/** What is measured of step-size control and of stability. */
+record Control(Supplier<DESolver> maker) {
+    private static final double START = 0.5;
+    private static final double LONG = 4;
+    private static final int STEPS = 16;
+    /** The oscillators start at 1.5. */
+    private static final double FAR = 0.5;
+    private static final double LITTLE = 1e-3;
+    private static final double MUCH = 100;
+    /** An iteration that diverges leaves more. */
+    private static final double DIVERGED = 1e6;
+    /** deltaT times the decay rate. */
+    private static final double STIFF = 20;
+    /** A stiff decay may be damped little or not at all, but not grow. */
+    private static final double GROWS = 1.5;
+
+    private WindyOscillators after(int steps, double deltaT) {
+        WindyOscillators source = new WindyOscillators(1).from(START);
+        DESolver solver = maker.get();
+        for (int step = 0; step < steps; step++) {
+            source.accepts(solver, deltaT);
+        }
+        return source;
+    }
+
+    /** @return whether a longer step has many more parts */
+    boolean makesSubSteps() {
+        return after(1, LONG).times() > STEPS / 2 * after(1, LONG / STEPS).times();
+    }
+
+    /** @return the mistake of sub-steps with which one long step is far less accurate than several short ones */
+    Optional<Finding> uncontrolled() {
+        double error = after(1, LONG).error();
+        double often = after(STEPS, LONG / STEPS).error();
+        return Phrase.UNCONTROLLED.when(error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often),
+                error, LONG, often, STEPS);
+    }
+
+    /** @return the mistake if steps as long as explicit methods cannot make them grow, unless an iteration diverges */
+    Optional<Finding> unstable() {
+        return decay(0.5).or(() -> decay(STIFF)).or(() -> {
+            Springs springs = new Springs();
+            DESolver solver = maker.get();
+            boolean made = Stream.generate(() -> springs.accepts(solver, LONG)).limit(STEPS / 2).allMatch(one -> one);
+            double growth = StrictMath.pow(2 * springs.energy(), 1.0 / STEPS);          // from 1
+            return !made || !(growth < MUCH) ? Optional.of(Phrase.DIVERGES.of(LONG)) : Phrase.UNSTABLE.when(growth
+                    > GROWS, LONG, "the amplitude of the spring x'' = -x", growth);
+        });
+    }
+
+    private Optional<Finding> decay(double length) {
+        StudentSource source = new StiffDecay();
+        boolean made = source.accepts(maker.get(), length / StiffDecay.RATE);
+        double size = ((StiffDecay) source).size();
+        return Phrase.UNSTABLE.when(made && size > GROWS && size < DIVERGED, length / StiffDecay.RATE,
+                "y in y' = -1000 y", size);
+    }
+
+    /** @return whether it is stable on the negative real axis as far as so many steps of Euler's method */
+    boolean isStableAs(int evaluations) {
+        return Stream.iterate(1, z -> z < 16 * evaluations, z -> z + 1).allMatch(z -> StudentSource.after(
+                new StiffDecay(), maker.get(), 1, z / 8.0 / StiffDecay.RATE).size() <= 1 + 1e-9);
+    }
+}

@@ -1,0 +1,71 @@
+package particles.teaching.solvers;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * What a solver is declared to be.
+ *
+ * @param method the method
+ * @param asked  whether it was asked for, so that no other method will do
+ * @param alone  whether the name of the class says nothing else; RichardsonEuler need not be Euler
+ */
+record Declaration(Method method, boolean asked, boolean alone) {
+    private static final Set<String> FILLERS = Set.of("my", "our", "the", "own", "new", "simple", "basic", "standard",
+            "fixed", "step", "solver", "method", "integrator", "stepper", "scheme", "rule", "ode", "de", "student",
+            "team", "group", "test", "classical", "classic", "explicit", "implicit", "order", "task",
+            "exercise", "homework", "assignment");
+
+    /** @return what the name of a class declares; empty if it has none of the words */
+    static Optional<Declaration> of(String className) {
+        List<String> words = words(className);
+        Optional<Declaration> found = Optional.empty();
+        int longest = 0;
+        for (int from = 0; from < words.size(); from++) {
+            StringBuilder joined = new StringBuilder();
+            for (int to = from; to < words.size(); to++) {
+                String name = joined.append(words.get(to)).toString();
+                Optional<Method> named = Arrays.stream(Method.values()).filter(method -> method.words().anyMatch(
+                        name::equals)).findFirst();
+                if (named.isPresent() && name.length() > longest) {
+                    longest = name.length();
+                    List<String> others = new ArrayList<>(words.subList(0, from));
+                    others.addAll(words.subList(to + 1, words.size()));
+                    found = Optional.of(new Declaration(named.get(), false, others.stream().allMatch(word ->
+                            FILLERS.contains(word) || word.length() == 1 || Character.isDigit(word.charAt(0)))));
+                }
+            }
+        }
+        return found;
+    }
+
+    /** The words of a name: RK4Solver has rk, 4 and solver. */
+    private static List<String> words(String name) {
+        List<String> words = new ArrayList<>();
+        StringBuilder word = new StringBuilder();
+        for (int j = 0; j < name.length(); j++) {
+            char c = name.charAt(j);
+            boolean begins = j > 0 && (Character.isDigit(c) != Character.isDigit(name.charAt(j - 1))
+                    || Character.isUpperCase(c) && (Character.isLowerCase(name.charAt(j - 1)) || j + 1 < name.length()
+                    && Character.isLowerCase(name.charAt(j + 1))));
+            if (begins && word.length() > 0) {
+                words.add(word.toString().toLowerCase(Locale.ROOT));
+                word.setLength(0);
+            }
+            if (Character.isLetterOrDigit(c)) {
+                word.append(c);
+            }
+        }
+        words.add(word.toString().toLowerCase(Locale.ROOT));
+        return words;
+    }
+
+    /** @return whether a known method is no other one than declared */
+    boolean allows(Method known) {
+        return known == method || !asked && method.mayBe(known) || !asked && !alone || method.isFamily();
+    }
+}

@@ -1,0 +1,162 @@
+package particles.teaching.solvers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.teaching.Finding;
+import particles.teaching.contract.Phrase;
+import particles.teaching.solvers.Kinds.Kind;
+
+/** The check of solvers: no right one is accused, and each kind of wrong ones gets its verdict. */
+class SolverCheckTest {
+    private static final double H = 0.1;
+    /** Where the sentence of a mistake stands. */
+    private static final Set<Phrase> NAMED = EnumSet.of(Phrase.DIFFERS, Phrase.STEP, Phrase.BY_DELTA_T,
+            Phrase.STAGE_TIMES);
+
+    static List<Kind> rightKinds() {
+        return Kinds.right();
+    }
+
+    static List<Kind> wrongKinds() {
+        return Kinds.wrong();
+    }
+
+    @ParameterizedTest
+    @MethodSource("rightKinds")
+    void aRightSolverIsNotAccused(Kind kind) {
+        assertEquals(List.of(), SolverCheck.check(kind.maker(), kind.name()).wrong());
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrongKinds")
+    void aWrongSolverGetsItsVerdict(Kind kind) {
+        List<Finding> wrong = SolverCheck.check(kind.maker(), kind.name()).wrong();
+        assertEquals(kind.verdict().map(List::of).orElseThrow(), wrong.stream().map(Finding::cause).toList(),
+                wrong.toString());
+    }
+
+    /** The first step that a mistake makes of a method; h stands in the weights of some. */
+    private static Optional<Supplier<DESolver>> solver(Method method, Mistake mistake) {
+        Scheme scheme = method.schemes().get(0);
+        Supplier<DESolver> weights = () -> ((Step) (source, h) -> mistake.schemes(scheme, h).findFirst().orElseThrow()
+                .make(source, h)).solver();
+        Supplier<DESolver> parts = () -> ((Step) (source, h) -> mistake.steps(scheme, source.getStateSize()).findFirst()
+                .orElseThrow().make(source, h)).solver();
+        return mistake.schemes(scheme, H).findAny().isPresent() ? Optional.of(weights) : mistake.steps(scheme, 12)
+                .findAny().isPresent() ? Optional.of(parts) : Optional.empty();
+    }
+
+    /**
+     * Each mistake in each of the slides' methods is named, or an equal one before it; a few make another right method,
+     * or no step at all.
+     */
+    private static List<String> unnamed(Method method) {
+        List<String> unnamed = new ArrayList<>();
+        for (Mistake mistake : Mistake.values()) {
+            solver(method, mistake).ifPresent(maker -> {
+                List<Finding> wrong = SolverCheck.check(maker, method).wrong();
+                if (wrong.stream().noneMatch(finding -> NAMED.contains(finding.cause()))) {
+                    unnamed.add(mistake.name() + " " + wrong);
+                }
+            });
+        }
+        return unnamed;
+    }
+
+    @Test
+    void everyTypicalMistakeInRK4IsNamed() {
+        assertEquals(List.of(), unnamed(Method.RK4));
+    }
+
+    @Tag("hard")
+    @ParameterizedTest
+    @MethodSource("explicitMethods")
+    void everyTypicalMistakeIsFound(Method method) {
+        assertTrue(unnamed(method).size() <= 4, unnamed(method).toString());
+    }
+
+    static Stream<Method> explicitMethods() {
+        return Stream.of(Method.EULER, Method.MIDPOINT, Method.HEUN, Method.VERLET, Method.SYMPLECTIC_EULER);
+    }
+
+    @Test
+    void knownMethodsAreRecognisedByTheirSteps() {
+        for (Method method : Method.values()) {
+            for (Scheme scheme : method.schemes()) {
+                SolverVerdict verdict = SolverCheck.check(scheme::solver, "Mine");
+                assertEquals(Optional.of(method), verdict.method());
+                assertEquals(List.of(), verdict.wrong(), method.title());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"MyRK4Solver,RK4", "HeunSolver,HEUN", "BackwardEuler,BACKWARD_EULER", "SemiImplicitEuler,SYMPLECTIC_EULER",
+        "EulerSolver,EULER", "AB2Stepper,AB2", "LeapfrogIntegrator,VERLET", "RungeKutta4,RK4", "RKF45,RK45"})
+    void aClassNameDeclaresAMethod(String name, Method method) {
+        assertEquals(Optional.of(method), SolverCheck.declared(name));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"MySolver", "RungeKuttaSolver", "Homework4", "Heunisch", "SolverForVerlaine"})
+    void nothingElseIsReadFromNames(String name) {
+        assertEquals(Optional.empty(), SolverCheck.declared(name));
+    }
+
+    /** Richardson's extrapolation of Euler's method is the midpoint method. */
+    @Test
+    void anotherWordInTheNameMayMakeAnotherMethodOfIt() {
+        Supplier<DESolver> midpoint = Method.MIDPOINT.schemes().get(0)::solver;
+        assertEquals(List.of(), SolverCheck.check(midpoint, "RichardsonEuler").wrong());
+        assertEquals(Phrase.CONTRADICTS, SolverCheck.check(midpoint, "EulerSolver").wrong().get(0).cause());
+    }
+
+    @Test
+    void aMethodThatIsAskedForIsNoOther() {
+        Supplier<DESolver> other = Method.RK38.schemes().get(0)::solver;
+        assertEquals(List.of(), SolverCheck.check(other, "RK4Solver").wrong());
+        assertEquals("this is Kutta's 3/8 rule and not RK4, the classical Runge-Kutta method", SolverCheck.check(other,
+                Method.RK4).wrong().get(0).text());
+    }
+
+    /** A mistake says where the step leaves the method's, in multiples of deltaT. */
+    @Test
+    void aMistakeIsToldInTheWordsOfTheFormula() {
+        Scheme rk4 = Method.RK4.schemes().get(0);
+        Scheme changed = rk4.with(4, new double[] {1, 1.0 / 6, 1.0 / 3, 1.0 / 6, 1.0 / 6});
+        assertEquals("the new state, where each k includes deltaT, is s + k1/6 + k2/3 + k3/6 + k4/6; RK4, the classical"
+                + " Runge-Kutta method says s + k1/6 + k2/3 + k3/3 + k4/6: one weight is wrong", SolverCheck.check(
+                changed::solver, "RK4Solver").wrong().get(0).text());
+        Scheme unlike = rk4.with(3, new double[] {1, 0, 0.25, 0.75});
+        assertEquals("the measured order is 2.96, and that of RK4, the classical Runge-Kutta method is 4; k4 = deltaT f"
+                + " is taken at s + k2/4 + 3/4 k3, and RK4, the classical Runge-Kutta method says s + k3", SolverCheck
+                .check(unlike::solver, "RK4Solver").wrong().get(0).text());
+    }
+
+    @Test
+    void notesTellWhatIsRightAndCouldBeBetter() {
+        assertNotes(Kinds.right().get(0), Phrase.DRAG, Phrase.ONLY_PARTICLES, Phrase.LEFT_WITHIN);
+        assertNotes(Kinds.right().get(6), Phrase.NOTHING_BACK);
+    }
+
+    private static void assertNotes(Kind kind, Phrase... notes) {
+        List<Object> found = SolverCheck.check(kind.maker(), kind.name()).findings().stream().map(Finding::cause)
+                .toList();
+        assertTrue(found.containsAll(Arrays.asList(notes)), found.toString());
+    }
+}
