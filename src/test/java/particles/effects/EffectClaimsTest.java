@@ -24,6 +24,8 @@ import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.teaching.effects.EffectClaims;
+import particles.teaching.effects.EffectClaims.Broken;
+import particles.teaching.effects.EffectClaims.Claim;
 import particles.teaching.effects.EffectSample;
 
 /** Every effect has the properties that it claims, and planted errors are found. */
@@ -42,14 +44,14 @@ class EffectClaimsTest {
         return springs;
     }
 
-    private static List<String> kinds(List<String> broken) {
-        return broken.stream().map(line -> line.substring(0, line.indexOf(' '))).distinct().sorted().toList();
+    private static List<Claim> kinds(List<Broken> broken) {
+        return broken.stream().map(Broken::claim).distinct().toList();
     }
 
     /** An effect with one kind of error fails exactly the check for that kind. */
     @Test
     void onlyTheDerivativeCheckFindsAWrongDerivative() {
-        assertEquals(List.of("derivative:"), kinds(broken(p -> new WrongDerivative(springs(p, 0.8)) {
+        assertEquals(List.of(Claim.DERIVATIVE), kinds(broken(p -> new WrongDerivative(springs(p, 0.8)) {
             @Override
             public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
                 springs(p, 0.8 * (1 + 1e-3)).addForceDerivatives(state, time, derivatives);
@@ -57,7 +59,7 @@ class EffectClaimsTest {
         })));
     }
 
-    private static List<String> broken(Function<Particles, Effect> maker) {
+    private static List<Broken> broken(Function<Particles, Effect> maker) {
         ParticleSystem system = EffectSample.system();
         return EffectClaims.broken(system, maker.apply(system.getParticles()), 2003);
     }

@@ -14,6 +14,8 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
+import particles.teaching.effects.EffectClaims.Broken;
+import particles.teaching.effects.EffectClaims.Claim;
 
 /**
  * Checks a student's force law against the properties that it declares, by {@link EffectClaims}. If one does not hold,
@@ -57,22 +59,21 @@ public record EffectCheck(EffectTrial trial) {
     }
 
     /** The mistake behind a claim that does not hold. */
-    private Finding explained(String line) {
-        if (line.startsWith("third law")) {
-            return method(wrongPair().orElse(line.replaceFirst("third law: ", "")));
+    private Finding explained(Broken broken) {
+        if (broken.claim() == Claim.THIRD_LAW) {
+            return method(wrongPair().orElse(broken.text()));
         }
-        boolean accounted = trial.claims(Trait.CONSERVATIVE) || trial.claims(Trait.DISSIPATIVE)
-                || trial.claims(Trait.DRIVING);
-        if (line.startsWith("power") && !accounted && line.contains("none of")) {
+        boolean accounted = Stream.of(Trait.CONSERVATIVE, Trait.DISSIPATIVE, Trait.DRIVING).anyMatch(trial::claims);
+        if (broken.unaccounted() && !accounted) {
             return new Finding(Kind.STYLE, "it claims no account of its energy: a run lists its work, whether it"
                     + " is stored or lost, until it claims CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
                     + " getDissipatedPower or DRIVING with getDrivenPower");
         }
         Optional<Finding> cause = potential().or(() -> new EffectPower(trial).wrong().map(EffectCheck::method)).or(() ->
-                line.startsWith("velocity") ? EffectWriting.wrong(Kind.STATE, "the force changes with the velocity, and"
-                + " dependsOnVelocity() says false") : Optional.empty());
+                broken.claim() == Claim.VELOCITY ? EffectWriting.wrong(Kind.STATE, "the force changes with the velocity,"
+                + " and dependsOnVelocity() says false") : Optional.empty());
         return cause.map(symptom -> new EffectIndices(trial).cause().map(text -> new Finding(Kind.STATE, text)).orElse(
-                symptom)).orElseGet(() -> method(claim(line)));
+                symptom)).orElseGet(() -> method(claim(broken)));
     }
 
     private static Finding method(String text) {
@@ -122,16 +123,15 @@ public record EffectCheck(EffectTrial trial) {
                 compared.cause(!Arrays.equals(trial.force(), trial.force(trial.faster(2))), "the potential energy"))));
     }
 
-    private String claim(String line) {
-        if (line.startsWith("translation")) {
-            return "it claims TRANSLATION_INVARIANT, but " + trial.effect().getName() + " is not: with all particles"
-                    + " moved alike the force changes, which uses places and not only differences of places";
-        }
-        if (line.startsWith("rotation")) {
-            return "it claims ROTATION_INVARIANT, but " + trial.effect().getName() + " is not: with everything turned"
-                    + " alike the force is not the turned one, so that some direction is preferred";
-        }
-        return "a claim does not hold: " + line + (line.startsWith("derivative")
-                ? "; addForceDerivatives is not the derivative of addForces" : "");
+    private String claim(Broken broken) {
+        String name = trial.effect().getName();
+        return switch (broken.claim()) {
+            case TRANSLATION -> "it claims TRANSLATION_INVARIANT, but " + name + " is not: with all particles moved alike"
+                    + " the force changes, which uses places and not only differences of places";
+            case ROTATION -> "it claims ROTATION_INVARIANT, but " + name + " is not: with everything turned alike the"
+                    + " force is not the turned one, so that some direction is preferred";
+            case DERIVATIVE -> "addForceDerivatives is not the derivative of addForces: " + broken.text();
+            default -> "a claim does not hold: " + broken.text();
+        };
     }
 }

@@ -15,9 +15,24 @@ import particles.teaching.Formula;
  *
  * @param trial  the effect in one state
  * @param force  its forces there
- * @param broken receives a line for every declared property that does not hold
+ * @param broken receives every declared property that does not hold
  */
-public record EffectClaims(EffectTrial trial, double[] force, List<String> broken) {
+public record EffectClaims(EffectTrial trial, double[] force, List<Broken> broken) {
+    /** What an effect declares, of itself and by its methods. */
+    public enum Claim {
+        THIRD_LAW, GRADIENT, DISSIPATED_POWER, DRIVEN_POWER, POWER, TRANSLATION, ROTATION, VELOCITY, DERIVATIVE
+    }
+
+    /**
+     * A declared property that does not hold.
+     *
+     * @param claim       the property
+     * @param unaccounted whether nothing is said of a power that the force has
+     * @param text        what was measured
+     */
+    public record Broken(Claim claim, boolean unaccounted, String text) {
+    }
+
     private static final double STEP = 1e-5;
     private static final double BOUND = 1e-6;
     private static final double ROUNDING = 1e-12;
@@ -27,10 +42,10 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
      * @param system the particles; about a unit apart, so that the random states make sense
      * @param effect the effect that acts on them
      * @param seed   the seed of the random states
-     * @return a line for every declared property that does not hold; the first word is the property
+     * @return every declared property that does not hold
      */
-    public static List<String> broken(ParticleSystem system, Effect effect, long seed) {
-        List<String> broken = new ArrayList<>();
+    public static List<Broken> broken(ParticleSystem system, Effect effect, long seed) {
+        List<Broken> broken = new ArrayList<>();
         Random random = new Random(seed);
         for (int j = 0; j < TRIALS; j++) {
             EffectTrial trial = EffectTrial.random(system, effect, random, 3 * random.nextDouble());
@@ -51,20 +66,20 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
         if (trial.claims(Trait.CONSERVATIVE)) {
             double[] free = force.clone();
             trial.velocities().filter(k -> !trial.isFree(k)).forEach(k -> free[k] = 0);
-            expectSame("gradient", trial.slopes(), free, BOUND);
+            expectSame(Claim.GRADIENT, trial.slopes(), free, BOUND);
         }
         checkPower();
         if (trial.claims(Trait.TRANSLATION_INVARIANT)) {
             double[] shift = {1.5, -0.5, 2.5};
             double[] shifted = trial.state().clone();
             trial.velocities().forEach(k -> shifted[k - 3] += shift[k % 3]);
-            expectSame("translation", force, trial.force(shifted), ROUNDING * n);
+            expectSame(Claim.TRANSLATION, force, trial.force(shifted), ROUNDING * n);
         }
         if (trial.claims(Trait.ROTATION_INVARIANT)) {
-            expectSame("rotation", rotated(force), trial.force(rotated(trial.state())), ROUNDING * n);
+            expectSame(Claim.ROTATION, rotated(force), trial.force(rotated(trial.state())), ROUNDING * n);
         }
         if (!trial.effect().dependsOnVelocity()) {
-            expectSame("velocity", force, trial.force(trial.changed(k -> k % 6 > 2, v -> v + 1)), ROUNDING * n);
+            expectSame(Claim.VELOCITY, force, trial.force(trial.changed(k -> k % 6 > 2, v -> v + 1)), ROUNDING * n);
         }
         if (trial.effect() instanceof DifferentiableEffect differentiable) {
             checkDerivatives(differentiable);
@@ -79,23 +94,25 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
         double stored = trial.stored(state);
         double dissipated = trial.heat(state);
         double driven = trial.effect().getDrivenPower(state, trial.time());
-        expect(!(dissipated < 0), "dissipated power: it is %s W, and heat is never negative", dissipated);
-        expect(!(dissipated > 0) || trial.claims(Trait.DISSIPATIVE),
-                "dissipated power: it is %s W; claim DISSIPATIVE, or return 0", dissipated);
-        expect(driven == 0 || trial.claims(Trait.DRIVING), "driven power: it is %s W; claim DRIVING, or return 0",
-                driven);
+        expect(Claim.DISSIPATED_POWER, !(dissipated < 0), "the dissipated power is %s W, and heat is never negative", dissipated);
+        expect(Claim.DISSIPATED_POWER, !(dissipated > 0) || trial.claims(Trait.DISSIPATIVE),
+                "the dissipated power is %s W; claim DISSIPATIVE, or return 0", dissipated);
+        expect(Claim.DRIVEN_POWER, driven == 0 || trial.claims(Trait.DRIVING), "the driven power is %s W; claim DRIVING, or"
+                + " return 0", driven);
         double speed = trial.velocities().mapToDouble(k -> Math.abs(state[k])).reduce(1, Math::max);
         boolean none = stored == 0 && dissipated == 0 && driven == 0;
-        expect(Math.abs(power + stored + dissipated - driven) <= BOUND * Math.max(size() * speed * n, Math.abs(stored)),
-                "power: the force does work at %s W; " + (none
-                ? "none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts for it"
-                : "accounted for are %s W: getPotentialEnergy gives %s W, getDissipatedPower takes %s W and"
-                + " getDrivenPower adds %s W"), power, driven - stored - dissipated, -stored, dissipated, driven);
+        if (!(Math.abs(power + stored + dissipated - driven) <= BOUND * Math.max(size() * speed * n, Math.abs(
+                stored)))) {
+            broken.add(new Broken(Claim.POWER, none, Formula.text("the force does work at %s W; " + (none
+                    ? "none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts for it"
+                    : "accounted for are %s W: getPotentialEnergy gives %s W, getDissipatedPower takes %s W and"
+                    + " getDrivenPower adds %s W"), power, driven - stored - dissipated, -stored, dissipated, driven)));
+        }
     }
 
-    private void expect(boolean holds, String otherwise, Object... values) {
+    private void expect(Claim claim, boolean holds, String otherwise, Object... values) {
         if (!holds) {
-            broken.add(Formula.text(otherwise, values));
+            broken.add(new Broken(claim, false, Formula.text(otherwise, values)));
         }
     }
 
@@ -126,7 +143,7 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
 
             @Override
             public void transformRow(int i, double[] matrix) {
-                broken.add("derivative: only a reaction answers the forces of others");
+                broken.add(new Broken(Claim.DERIVATIVE, false, "only a reaction answers the forces of others"));
             }
         });
         for (int column = 0; column < n; column++) {
@@ -137,8 +154,8 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
             double[] behind = trial.force(trial.moved(column, -STEP));
             for (int row = 0; row < n; row++) {
                 double slope = (ahead[row] - behind[row]) / (2 * STEP);
-                expect(Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size(), Math.abs(slope)),
-                        "derivative: entry %s, %s is %s where differences give %s", row, column, exact[row][column],
+                expect(Claim.DERIVATIVE, Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size(), Math.abs(slope)),
+                        "entry %s, %s is %s where differences give %s", row, column, exact[row][column],
                         slope);
             }
         }
@@ -148,7 +165,7 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
         double[] sum = new double[3];
         trial.velocities().forEach(k -> sum[k % 3] += force[k]);
         for (double total : sum) {
-            expect(Math.abs(total) <= ROUNDING * size() * trial.size() || leavesFixedOut(trial), "third law: the"
+            expect(Claim.THIRD_LAW, Math.abs(total) <= ROUNDING * size() * trial.size() || leavesFixedOut(trial), "the"
                     + " forces on all particles add up to %s N and not to 0: F_ji has to be -F_ij", total);
         }
     }
@@ -174,10 +191,10 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
         return turned;
     }
 
-    private void expectSame(String claim, double[] expected, double[] actual, double bound) {
+    private void expectSame(Claim claim, double[] expected, double[] actual, double bound) {
         for (int k = 0; k < trial.size(); k++) {
-            expect(Math.abs(expected[k] - actual[k]) <= bound * size(), "%s: entry %s is %s instead of %s", claim, k,
-                    actual[k], expected[k]);
+            expect(claim, Math.abs(expected[k] - actual[k]) <= bound * size(), "entry %s is %s instead of %s", k, actual[k],
+                    expected[k]);
         }
     }
 }

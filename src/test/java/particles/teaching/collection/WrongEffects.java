@@ -106,7 +106,7 @@ final class WrongEffects {
                         .heat((s, t) -> RightEffects.chainHeat(p, s, 0.5))),
                 wrong("A spring to the origin.", "energy 5/2 times as large", "all of it is 2/5 times what it",
                         p -> tether(p, 1, 2.5, Trait.CONSERVATIVE)),
-                wrong("Drag.", "twice the heat, and claims to drive", "does not hold: power: the force does work at -.*"
+                wrong("Drag.", "twice the heat, and claims to drive", "does not hold: the force does work at -.*"
                         + " W; accounted for are -.* W: getPotentialEnergy gives 0 W, getDissipatedPower takes .* W and"
                         + " getDrivenPower adds 0 W", p -> drag(p, 1, 2, Trait.DISSIPATIVE, Trait.DRIVING)),
                 wrong("Shaker", "no driven power", "getDrivenPower", p -> law("Shaker", Trait.DRIVING)
