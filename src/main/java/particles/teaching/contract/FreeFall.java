@@ -29,7 +29,7 @@ public record FreeFall(double h, int steps, double moved, double kept, double fe
     /** No powers of 2, so that float numbers show. */
     private static final double[] LENGTHS = {0.1, 0.3, 0.001, 2};
     /** Sizes of velocities and accelerations, to detect what is cut off or rounded; no powers of 2 either. */
-    private static final double[] SIZES = {1.3140625123, 1.7e-5, 2.9e3};
+    private static final double[] SIZES = {1.3140625123, 1.7e-4, 2.9e3};
 
     /** A particle that flies, and one that falls from rest, each in all three coordinates. */
     private static final class Falling extends StudentSource implements SecondOrderSource {

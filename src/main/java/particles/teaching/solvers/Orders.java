@@ -55,7 +55,7 @@ record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement 
                 Phrase.DRAG_DIVERGES.when(drag.isFar(), drag.digits())).or(() -> declared.map(Declaration::method)
                 .flatMap(method -> low(lower(), where(), method).or(() -> !withDrag ? Optional.empty() : low(drag,
                 " where the acceleration depends on the velocity", method)))).or(() -> Phrase.OTHER_ORDER.when(
-                bodies.order() < clock.order() - 2 * HALF, bodies.digits(), clock.digits()));
+                bodies.order() < clock.order() - 3 * HALF, bodies.digits(), clock.digits()));
     }
 
     private static Optional<Finding> far(OrderMeasurement measured, String where) {

@@ -90,9 +90,9 @@ public final class SolverCheck {
     }
 
     private List<Finding> judge() {
-        SolverMemory memory = new SolverMemory(maker);
+        SolverMemory memory = new SolverMemory(maker, control.makesSubSteps());
         remembers = memory.remembers();
-        Optional<Finding> clock = ClockCheck.mistake(maker);
+        Optional<Finding> clock = first(() -> ClockCheck.mistake(maker));
         Optional<Finding> formula = clock.or(() -> remembers ? ofEarlierSteps() : ofOneStep());
         List<Finding> findings = new ArrayList<>(formula.stream().toList());
         if (formula.isEmpty()) {
