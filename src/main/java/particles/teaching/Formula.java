@@ -6,8 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 
 /** Formats coefficients and formulas as people write them: 1/6, deltaT/2, s + k1/2. */
 public final class Formula {
@@ -57,22 +55,27 @@ public final class Formula {
 
     /** @return the time, such as {@code t + deltaT/2}; c is in units of deltaT */
     public static String time(double c) {
-        return sameTime(c, 0) ? "t" : "t" + term(c, "deltaT", exactly(Math.abs(c)));
+        return sameTime(c, 0) ? "t" : "t" + (c < 0 ? " - " : " + ") + times(exactly(Math.abs(c)), "deltaT");
     }
 
     /**
      * @param weights the coefficients
-     * @param names   the names that belong to the coefficients; as many or more
+     * @param names   the names that belong to the coefficients, as many or more; 1 for a number alone
      * @return the sum, such as {@code s + k1/2}
      */
     public static String sum(double[] weights, List<String> names) {
-        String text = IntStream.range(0, weights.length).filter(j -> !same(weights[j], 0)).mapToObj(j -> term(
-                weights[j], names.get(j), number(Math.abs(weights[j])))).collect(Collectors.joining());
-        return text.isEmpty() ? "0" : text.replaceFirst("^ \\+ ", "").replaceFirst("^ - ", "-");
+        StringBuilder text = new StringBuilder();
+        for (int j = 0; j < weights.length; j++) {
+            if (!same(weights[j], 0)) {
+                text.append(text.length() == 0 ? weights[j] < 0 ? "-" : "" : weights[j] < 0 ? " - " : " + ").append(
+                        times(number(Math.abs(weights[j])), names.get(j)));
+            }
+        }
+        return text.length() == 0 ? "0" : text.toString();
     }
 
-    private static String term(double coefficient, String name, String size) {
-        return (coefficient < 0 ? " - " : " + ") + (size.equals("1") ? name
-                : size.startsWith("1/") ? name + size.substring(1) : size + " " + name);
+    private static String times(String size, String name) {
+        return name.equals("1") ? size : size.equals("1") ? name : size.startsWith("1/") ? name + size.substring(1)
+                : size + " " + name;
     }
 }

@@ -21,7 +21,6 @@ import particles.experiments.stability.StabilityMap;
 import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
-import particles.teaching.Formula;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
@@ -221,7 +220,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
     }
 
     private static String number(double x) {
-        return Formula.number(x).contains("/") ? Double.toString(x) : Formula.number(x);
+        return Digits.exact(x);
     }
 
     private static String digits(double x) {

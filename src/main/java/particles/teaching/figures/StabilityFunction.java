@@ -6,7 +6,6 @@ import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.Formula;
@@ -27,12 +26,11 @@ record StabilityFunction(double[] above, double[] below) {
     private static final double ROUNDING = 1e-13;
     private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0},
             {2, 2}, {5, 0}, {6, 0}};
-    private static final Map<String, String> OWNERS = Map.of("1 + z", "that of the Euler method",
-            "1 + z + z^2/2", "the same for all methods of order 2 with two evaluations, such as midpoint",
-            "1 + z + z^2/2 + z^3/6", "the same for all methods of order 3 with three evaluations",
-            "1 + z + z^2/2 + z^3/6 + z^4/24", "the same for all methods of order 4 with four evaluations, such as RK4",
-            "1 / (1 - z)", "that of backward Euler",
-            "(1 + z/2) / (1 - z/2)", "that of the trapezoidal rule and of implicit midpoint");
+    /** Those whose R is the beginning of the exponential series, by its degree. */
+    private static final List<String> OWNERS = List.of("", "that of the Euler method",
+            "the same for all methods of order 2 with two evaluations, such as midpoint",
+            "the same for all methods of order 3 with three evaluations",
+            "the same for all methods of order 4 with four evaluations, such as RK4");
 
     /**
      * @param maker makes solvers whose step treats all entries of the state alike
@@ -90,8 +88,8 @@ record StabilityFunction(double[] above, double[] below) {
     }
 
     private static String bracketed(double[] p) {
-        String text = polynomial(p);
-        return text.contains(" ") ? "(" + text + ")" : text;
+        return Arrays.stream(p).filter(c -> !Formula.same(c, 0)).count() > 1 ? "(" + polynomial(p) + ")"
+                : polynomial(p);
     }
 
     private static String polynomial(double[] p) {
@@ -99,15 +97,26 @@ record StabilityFunction(double[] above, double[] below) {
         for (int k = 2; k < p.length; k++) {
             powers.add("z^" + k);
         }
-        String text = Formula.sum(p, powers);
-        return text.startsWith("1 ") || text.startsWith("z") ? text : text.replaceFirst("^(\\S+) 1( |$)", "$1$2");
+        return Formula.sum(p, powers);
     }
 
     /** @return the method that has this function, such as {@code that of Euler}; empty if it is unknown */
     String owner() {
-        boolean ofTheta = above.length == 2 && below.length == 2 && Formula.same(above[0], 1)
-                && Formula.same(above[1] - below[1], 1);
-        return OWNERS.getOrDefault(text(), ofTheta ? "that of the theta method with theta = " + Formula.number(
-                -below[1]) : "");
+        double factorial = 1;
+        boolean series = below.length == 1 && above.length <= OWNERS.size();
+        for (int k = 0; k < above.length; k++) {
+            factorial *= Math.max(1, k);
+            series &= Formula.same(above[k] * factorial, 1);
+        }
+        if (series) {
+            return OWNERS.get(above.length - 1);
+        }
+        if (above.length > 2 || below.length != 2 || !Formula.same(above[0], 1) || !Formula.same((above.length == 1 ? 0
+                : above[1]) - below[1], 1)) {
+            return "";
+        }
+        return Formula.same(below[1], -1) ? "that of backward Euler" : Formula.same(below[1], -0.5)
+                ? "that of the trapezoidal rule and of implicit midpoint" : "that of the theta method with theta = "
+                + Formula.number(-below[1]);
     }
 }
