@@ -144,7 +144,8 @@ public final class SolverCheck {
     }
 
     /** What is wrong, as measured; empty for a right one. */
-    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Fit.Found> equation, Optional<Scheme> read) {
+    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Fit.Found> equation,
+            Optional<Scheme> read) {
         Optional<Finding> other = known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent()).map(
                 method -> Phrase.CONTRADICTS.of(method.title(), declared.get().method().title()));
         if (other.isPresent()) {
@@ -179,8 +180,8 @@ public final class SolverCheck {
     }
 
     private Optional<Finding> earlier() {
-        return declared.filter(Declaration::alone).map(Declaration::method).flatMap(method -> Phrase.NOTHING_EARLIER.when(method
-                == Method.MULTISTEP || method.equations().stream().anyMatch(Equation::usesEarlier), method.title()));
+        return declared.filter(Declaration::alone).map(Declaration::method).flatMap(method ->
+                Phrase.NOTHING_EARLIER.when(method == Method.MULTISTEP || method.equations().stream().anyMatch(Equation::usesEarlier), method.title()));
     }
 
     /** The equation of a declared implicit method is not fulfilled. */
@@ -266,15 +267,17 @@ public final class SolverCheck {
         identity = known.map(method -> "This is " + method.title() + ".").orElse(multistep ? "This is "
                 + Method.MULTISTEP.title() + "." : "This is a method that keeps something of earlier steps.");
         Optional<Finding> wrong = first(() -> Phrase.STALE.when(StudentSource.after(new WindyOscillators(1), maker.get(),
-                2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () -> FreeFall.mistake(maker, STEPS), contract::units, () -> {
+                2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () ->
+                FreeFall.mistake(maker, STEPS), contract::units, () -> {
             orders = Orders.of(maker);
             return orders.mistake(declared, false);
         }, contract::asymmetric, () -> control.makesSubSteps() ? control.uncontrolled() : Optional.empty(), () ->
-                Phrase.LOW_ORDER.when(multistep && !contract.makesDifferences() && orders.order() < 1.5, orders.clock().digits(), "",
-                Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method -> declared.filter(one ->
+                Phrase.LOW_ORDER.when(multistep && !contract.makesDifferences() && orders.order() < 1.5,
+                orders.clock().digits(), "", Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method -> declared.filter(one ->
                 !one.allows(method)).isPresent()).map(method -> Phrase.CONTRADICTS.of(method.title(), declared.get()
                 .method().title())));
-        return wrong.map(finding -> finding.kind() == Kind.STATE ? finding : known.isPresent() ? known.filter(method -> orders != null).map(method ->
+        return wrong.map(finding -> finding.kind() == Kind.STATE ? finding : known.isPresent()
+                ? known.filter(method -> orders != null).map(method ->
                 Phrase.START.of(method.order(), orders.clock().digits())).orElse(finding) : fit.mistake(declared.map(
                 Declaration::method)).map(SolverCheck::solved).orElseGet(() -> compared(finding, Optional.empty())));
     }
