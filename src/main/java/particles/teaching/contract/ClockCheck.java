@@ -35,7 +35,8 @@ public final class ClockCheck {
         }
         Springs resting = new Springs(0, 0);
         resting.step(maker.get(), LENGTHS[0]);
-        return Phrase.CLOCK_AT_REST.when(!Formula.sameTime(resting.getTime() / LENGTHS[0], 1), resting.getTime(), LENGTHS[0]);
+        return Phrase.CLOCK_AT_REST.when(!Formula.sameTime(resting.getTime() / LENGTHS[0], 1), resting.getTime(),
+                LENGTHS[0]);
     }
 
     private static Finding wrong(Supplier<DESolver> maker, double h, double moved, int step) {

@@ -87,7 +87,8 @@ public record FreeFall(double h, int steps, double moved, double kept, double fe
 
     private Optional<Finding> mistake() {
         double digits = Math.abs(moved / steps - 1);
-        return Phrase.DIGITS.when(digits > FLOAT && digits < ROUNDED, digits).or(() -> Phrase.FLIGHT.when(off(moved, steps), length(), h, moved, steps)).or(() -> Phrase.FLIGHT_VELOCITY.when(
+        return Phrase.DIGITS.when(digits > FLOAT && digits < ROUNDED, digits).or(() -> Phrase.FLIGHT.when(off(moved,
+                steps), length(), h, moved, steps)).or(() -> Phrase.FLIGHT_VELOCITY.when(
                 off(kept, 1), kept, length())).or(() -> Phrase.FALL.when(off(speed, steps), length(), speed, steps,
                 fell, steps * steps / 2.0));
     }

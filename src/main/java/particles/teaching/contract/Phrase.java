@@ -33,18 +33,22 @@ public enum Phrase {
             + " does not say"),
     // motions that every method makes exactly
     FLIGHT_FIXED(Kind.METHOD, "without forces, a step moves a particle by v times %s s, whatever deltaT is"),
-    FLIGHT(Kind.METHOD, "without forces, %s of deltaT = %s s moves a particle by %s v deltaT, and has to move it by %s v"
+    FLIGHT(Kind.METHOD,
+            "without forces, %s of deltaT = %s s moves a particle by %s v deltaT, and has to move it by %s v"
             + " deltaT"),
     FLIGHT_VELOCITY(Kind.METHOD, "without forces, the velocity is %s v after %s, and has to stay v"),
-    FALL(Kind.METHOD, "with a constant acceleration a, from rest, the velocity after %s is %s a deltaT, and has to be %s"
+    FALL(Kind.METHOD,
+            "with a constant acceleration a, from rest, the velocity after %s is %s a deltaT, and has to be %s"
             + " a deltaT; the position is %s a deltaT^2, and exactly %s a deltaT^2"),
     DIGITS(Kind.STATE, "digits get lost: without forces, a particle's step is off by %s of its length, as with float"
             + " or rounded numbers; all have to be double"),
-    SEVEN_DIGITS(Kind.STATE, "digits get lost: this is %s, but its step is off by %s, as with float numbers; all have to be"
+    SEVEN_DIGITS(Kind.STATE,
+            "digits get lost: this is %s, but its step is off by %s, as with float numbers; all have to be"
             + " double"),
     CUT_OFF(Kind.METHOD, "with velocities and accelerations of %s the step is not the one that it makes with those of"
             + " about 1: something is cut off, rounded, or depends on the size"),
-    UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: what is added to it"
+    UNITS(Kind.METHOD,
+            "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: what is added to it"
             + " has another unit, as a velocity where an acceleration is meant, or deltaT once too often"),
     // the formula
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
@@ -81,14 +85,16 @@ public enum Phrase {
     STAGE_CLOCKS(Kind.TIME, "the error is %s where a force changes with the clock, with deltaT = %s s, and %s where the"
             + " same force is read off the state: some evaluations are at another clock than their states"),
     UNSTABLE(Kind.METHOD, "a step of %s s multiplies %s by %s: an implicit method has to be stable there"),
-    UNCONTROLLED(Kind.METHOD, "sub-steps are made, and the error is still %s after a step of %s s, and %s after %s steps"
+    UNCONTROLLED(Kind.METHOD,
+            "sub-steps are made, and the error is still %s after a step of %s s, and %s after %s steps"
             + " over the same time"),
     LARGEST_ERROR(Kind.METHOD, "two springs swing alike, x of the first particle and z of the last, and after a step of"
             + " %s s they are %s apart: every loop, also over errors, has to reach all entries"),
     ABSOLUTE_ERROR(Kind.METHOD, "two springs start as mirror images, and after a step of %s s they differ by %s in more"
             + " than the sign: the size of an error counts, Math.abs"),
     DRAG(Kind.STYLE, "its order is %s, and %s where the acceleration depends on the velocity, as with drag"),
-    DRAG_DIVERGES(Kind.METHOD, "where the acceleration depends on the velocity, as with drag, the error does not go to 0"
+    DRAG_DIVERGES(Kind.METHOD,
+            "where the acceleration depends on the velocity, as with drag, the error does not go to 0"
             + " with deltaT (order %s)"),
     DIVERGES(Kind.STYLE, "its iteration does not converge in a step of %s s of the spring x'' = -x"),
     // memory

@@ -135,7 +135,8 @@ public record SolverContract(Supplier<DESolver> maker) {
     }
 
     /**
-     * @return whether it evaluates the derivative once more for each entry, at states that hardly differ, as for a matrix
+     * @return whether it evaluates the derivative once more for each entry, at states that hardly differ, as for a
+     * matrix
      * of differences
      */
     public boolean makesDifferences() {
@@ -143,7 +144,8 @@ public record SolverContract(Supplier<DESolver> maker) {
         source.startRecord();
         source.accepts(maker.get(), H);
         List<double[]> at = source.evaluatedAt();
-        return evaluations(2, H) >= evaluations(1, H) + FEW && at.stream().anyMatch(one -> at.stream().mapToDouble(other -> distance(one, other)).anyMatch(d -> d > 0
+        return evaluations(2, H) >= evaluations(1, H) + FEW && at.stream().anyMatch(one ->
+                at.stream().mapToDouble(other -> distance(one, other)).anyMatch(d -> d > 0
                 && d < DIFFERENCE));
     }
 

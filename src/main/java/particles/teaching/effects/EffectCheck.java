@@ -70,7 +70,8 @@ public record EffectCheck(EffectTrial trial) {
                     + " getDissipatedPower or DRIVING with getDrivenPower");
         }
         Optional<Finding> cause = potential().or(() -> new EffectPower(trial).wrong().map(EffectCheck::method)).or(() ->
-                broken.claim() == Claim.VELOCITY ? EffectWriting.wrong(Kind.STATE, "the force changes with the velocity,"
+                broken.claim() == Claim.VELOCITY ? EffectWriting.wrong(Kind.STATE,
+                        "the force changes with the velocity,"
                 + " and dependsOnVelocity() says false") : Optional.empty());
         return cause.map(symptom -> new EffectIndices(trial).cause().map(text -> new Finding(Kind.STATE, text)).orElse(
                 symptom)).orElseGet(() -> method(claim(broken)));
@@ -126,7 +127,8 @@ public record EffectCheck(EffectTrial trial) {
     private String claim(Broken broken) {
         String name = trial.effect().getName();
         return switch (broken.claim()) {
-            case TRANSLATION -> "it claims TRANSLATION_INVARIANT, but " + name + " is not: with all particles moved alike"
+            case TRANSLATION -> "it claims TRANSLATION_INVARIANT, but " + name
+                    + " is not: with all particles moved alike"
                     + " the force changes, which uses places and not only differences of places";
             case ROTATION -> "it claims ROTATION_INVARIANT, but " + name + " is not: with everything turned alike the"
                     + " force is not the turned one, so that some direction is preferred";

@@ -94,10 +94,12 @@ public record EffectClaims(EffectTrial trial, double[] force, List<Broken> broke
         double stored = trial.stored(state);
         double dissipated = trial.heat(state);
         double driven = trial.effect().getDrivenPower(state, trial.time());
-        expect(Claim.DISSIPATED_POWER, !(dissipated < 0), "the dissipated power is %s W, and heat is never negative", dissipated);
+        expect(Claim.DISSIPATED_POWER, !(dissipated < 0), "the dissipated power is %s W, and heat is never negative",
+                dissipated);
         expect(Claim.DISSIPATED_POWER, !(dissipated > 0) || trial.claims(Trait.DISSIPATIVE),
                 "the dissipated power is %s W; claim DISSIPATIVE, or return 0", dissipated);
-        expect(Claim.DRIVEN_POWER, driven == 0 || trial.claims(Trait.DRIVING), "the driven power is %s W; claim DRIVING, or"
+        expect(Claim.DRIVEN_POWER, driven == 0 || trial.claims(Trait.DRIVING),
+                "the driven power is %s W; claim DRIVING, or"
                 + " return 0", driven);
         double speed = trial.velocities().mapToDouble(k -> Math.abs(state[k])).reduce(1, Math::max);
         boolean none = stored == 0 && dissipated == 0 && driven == 0;
@@ -154,7 +156,8 @@ public record EffectClaims(EffectTrial trial, double[] force, List<Broken> broke
             double[] behind = trial.force(trial.moved(column, -STEP));
             for (int row = 0; row < n; row++) {
                 double slope = (ahead[row] - behind[row]) / (2 * STEP);
-                expect(Claim.DERIVATIVE, Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size(), Math.abs(slope)),
+                expect(Claim.DERIVATIVE, Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size(),
+                        Math.abs(slope)),
                         "entry %s, %s is %s where differences give %s", row, column, exact[row][column],
                         slope);
             }
@@ -193,7 +196,8 @@ public record EffectClaims(EffectTrial trial, double[] force, List<Broken> broke
 
     private void expectSame(Claim claim, double[] expected, double[] actual, double bound) {
         for (int k = 0; k < trial.size(); k++) {
-            expect(claim, Math.abs(expected[k] - actual[k]) <= bound * size(), "entry %s is %s instead of %s", k, actual[k],
+            expect(claim, Math.abs(expected[k] - actual[k]) <= bound * size(), "entry %s is %s instead of %s", k,
+                    actual[k],
                     expected[k]);
         }
     }

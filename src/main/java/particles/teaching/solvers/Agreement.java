@@ -103,8 +103,10 @@ final class Agreement {
 
     /** @return the known method with these steps */
     Optional<Match> known() {
-        return Arrays.stream(Method.values()).flatMap(method -> method.schemes().stream().map(scheme -> new Match(method,
-                scheme.size(), distance(scheme.particles() ? turns : all, h -> scheme)))).filter(match -> match.distance < FLOAT)
+        return Arrays.stream(Method.values()).flatMap(method -> method.schemes().stream().map(scheme ->
+                new Match(method,
+                scheme.size(), distance(scheme.particles() ? turns : all, h -> scheme)))).filter(match ->
+                        match.distance < FLOAT)
                 .min(Comparator.comparingDouble(Match::distance));
     }
 

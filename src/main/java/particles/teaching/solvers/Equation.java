@@ -47,8 +47,10 @@ public record Equation(double[] states, double[] places, double[] clocks, double
                 Changes.scaled(rates, 0, 99, factor)), IntStream.range(0, rates.length).boxed().flatMap(j -> Stream.of(
                 -1.0, 0.0, 0.5, 2.0, 1 / rates[j]).map(factor -> Changes.scaled(rates, j, j + 1, factor))));
         Stream<double[]> state = IntStream.range(0, states.length).mapToObj(j -> Changes.scaled(states, j, j + 1, -1));
-        Stream<double[]> place = usesEarlier() ? IntStream.range(0, places.length).boxed().flatMap(j -> Stream.of(places[j]
-                - 1, places[j] + 1, isImplicit() ? places[j] : FIRST).map(other -> put(places, j, other))) : Stream.empty();
+        Stream<double[]> place = usesEarlier() ? IntStream.range(0, places.length).boxed().flatMap(j ->
+                Stream.of(places[j]
+                - 1, places[j] + 1, isImplicit() ? places[j] : FIRST).map(other -> put(places, j, other)))
+                        : Stream.empty();
         return Stream.of(clock.map(c -> new Equation(states, places, c, rates)), rate.map(w -> new Equation(states,
                 places, clocks, w)), Stream.of(new Equation(states, places, clocks, reversed(rates)), new Equation(
                 reversed(states), places, clocks, rates)), state.map(a -> new Equation(a, places, clocks, rates)),

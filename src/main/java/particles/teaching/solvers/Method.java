@@ -53,9 +53,11 @@ public enum Method {
             w(1), w(0.25, 0.25))),
     RK4("rk4", "RK4, the classical Runge-Kutta method", 4, names("rungekutta4", "classicalrungekutta"),
             Scheme.rungeKutta(w(1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6), w(0.5), w(0, 0.5), w(0, 0, 1))),
-    GILL("", "Gill's method", 4, names("gill", "rungekuttagill"), Scheme.rungeKutta(w(1.0 / 6, (2 - root()) / 6, (2 + root()) / 6, 1.0 / 6), w(0.5),
+    GILL("", "Gill's method", 4, names("gill", "rungekuttagill"), Scheme.rungeKutta(w(1.0 / 6, (2 - root()) / 6, (2
+            + root()) / 6, 1.0 / 6), w(0.5),
             w((root() - 1) / 2, (2 - root()) / 2), w(0, -root() / 2, 1 + root() / 2))),
-    RK38("rk38", "Kutta's 3/8 rule", 4, names("rungekutta38", "kutta38", "threeeighths"), Scheme.rungeKutta(w(0.125, 0.375, 0.375, 0.125), w(1.0 / 3),
+    RK38("rk38", "Kutta's 3/8 rule", 4, names("rungekutta38", "kutta38", "threeeighths"), Scheme.rungeKutta(w(0.125,
+            0.375, 0.375, 0.125), w(1.0 / 3),
             w(-1.0 / 3, 1), w(1, -1, 1))),
     RK5("rk5", "a Runge-Kutta method of order 5", 5, names("rungekutta5", "dormandprince5")),
     RK45("rk45", "a Runge-Kutta method of order 4 or 5", 4, names("rkf45", "fehlberg", "cashkarp", "dormandprince")),

@@ -16,7 +16,8 @@ public enum Mistake {
     SIGN("the sign is wrong", (s, h) -> eachAndAll(s, -1)),
     DOUBLED("all of it is twice what it should be", (s, h) -> eachAndAll(s, 2)),
     HALVED("all of it is half of what it should be", (s, h) -> eachAndAll(s, 0.5)),
-    NO_DERIVATIVE("no derivative is in it: is the state set, and is there 1/2 or 1/6 of whole numbers, 0 in Java, for 1/2.0?",
+    NO_DERIVATIVE("no derivative is in it: is the state set, and is there 1/2 or 1/6 of whole numbers, 0 in"
+            + " Java, for 1/2.0?",
             (s, h) -> eachAndAll(s, 0)),
     WHOLE_NUMBERS("1/2 and 1/6 of whole numbers are 0 in Java, 1/2.0 and 1/6.0 are not", (s, h) -> Stream.of(s.size(),
             s.rows().size()).map(to -> Changes.rows(s, to, r -> Arrays.stream(s.rows().get(r)).map(w -> (int) w)
@@ -32,7 +33,8 @@ public enum Mistake {
             (s, h) -> each(s, r -> Stream.of(moved(s, r, c -> s.rows().get(r).length - 1)))),
     LEFT_AT_TRIAL("the last trial state is left there: setState with the new state is missing at the end",
             (s, h) -> Stream.of(s.with(s.size(), s.rows().get(s.size() - 1)))),
-    OLD_STATE_LOST("the old state is not in it: += is meant", (s, h) -> each(s, r -> r == 0 ? Stream.empty() : Stream.of(scaled(s.rows().get(r),
+    OLD_STATE_LOST("the old state is not in it: += is meant", (s, h) -> each(s, r -> r == 0 ? Stream.empty()
+            : Stream.of(scaled(s.rows().get(r),
             s.own(r), s.own(r) + 1, 0)))),
     REVERSED("the weights are the other way round", (s, h) -> each(s, r -> Stream.of(moved(s, r, c -> s.rows().get(r)
             .length - 1 - c + s.first())))),
@@ -97,7 +99,10 @@ public enum Mistake {
         return this == BY_DELTA_T || this == TERM_BY_DELTA_T;
     }
 
-    /** @return whether parts of the state make their steps while others stand still, at the cost of any order above 1 */
+    /**
+     * @return whether parts of the state make their steps while others stand still, at the cost of any
+     * order above 1
+     */
     boolean isInTurn() {
         return this == ENTRY_BY_ENTRY || this == COORDINATE_BY_COORDINATE || this == BODY_BY_BODY || this == FROZEN;
     }

@@ -181,7 +181,8 @@ public final class SolverCheck {
 
     private Optional<Finding> earlier() {
         return declared.filter(Declaration::alone).map(Declaration::method).flatMap(method ->
-                Phrase.NOTHING_EARLIER.when(method == Method.MULTISTEP || method.equations().stream().anyMatch(Equation::usesEarlier), method.title()));
+                Phrase.NOTHING_EARLIER.when(method == Method.MULTISTEP
+                        || method.equations().stream().anyMatch(Equation::usesEarlier), method.title()));
     }
 
     /** The equation of a declared implicit method is not fulfilled. */
@@ -266,14 +267,16 @@ public final class SolverCheck {
         multistep = known.isPresent() || contract.evaluations(1, SHORT) == contract.evaluations(1, 8);
         identity = known.map(method -> "This is " + method.title() + ".").orElse(multistep ? "This is "
                 + Method.MULTISTEP.title() + "." : "This is a method that keeps something of earlier steps.");
-        Optional<Finding> wrong = first(() -> Phrase.STALE.when(StudentSource.after(new WindyOscillators(1), maker.get(),
+        Optional<Finding> wrong = first(() -> Phrase.STALE.when(StudentSource.after(new WindyOscillators(1),
+                maker.get(),
                 2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () ->
                 FreeFall.mistake(maker, STEPS), contract::units, () -> {
             orders = Orders.of(maker);
             return orders.mistake(declared, false);
         }, contract::asymmetric, () -> control.makesSubSteps() ? control.uncontrolled() : Optional.empty(), () ->
                 Phrase.LOW_ORDER.when(multistep && !contract.makesDifferences() && orders.order() < 1.5,
-                orders.clock().digits(), "", Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method -> declared.filter(one ->
+                orders.clock().digits(), "", Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method ->
+                        declared.filter(one ->
                 !one.allows(method)).isPresent()).map(method -> Phrase.CONTRADICTS.of(method.title(), declared.get()
                 .method().title())));
         return wrong.map(finding -> finding.kind() == Kind.STATE ? finding : known.isPresent()

@@ -243,14 +243,16 @@ final class Kinds {
                     double[] l = slopeAt(source, plus(s, 0.6 * h, k));
                     source.setState(plus(s, h - h / 1.2, k, h / 1.2, l));
                     source.incTime(0.4 * h);
-                })), new Kind("AB2Solver", "if (last == null), reset", Optional.empty(), () -> new Adams(1.5, -0.5, true)),
+                })), new Kind("AB2Solver", "if (last == null), reset", Optional.empty(), () -> new Adams(1.5, -0.5,
+                        true)),
                 new Kind("StoermerVerlet", "positions before", Optional.empty(), () -> new Stoermer(1, 0.5, true)),
                 Kind.right("AdaptiveHeun", "nothing backwards", adaptive(false)),
                 Kind.right("BackwardEulerSolver", "NaN in stiff springs", backward(40, 1)));
     }
 
     static List<Kind> wrong() {
-        return List.of(Kind.wrong("RK4Solver", "one coordinate after another", Phrase.STEP, inTurn(3, i -> i % 3, true)),
+        return List.of(Kind.wrong("RK4Solver", "one coordinate after another", Phrase.STEP, inTurn(3, i -> i % 3,
+                true)),
                 Kind.wrong("Gravity", "one body after another", Phrase.STEP, inTurn(400, i -> i / 6, true)),
                 Kind.wrong("RK4Solver", "x and v frozen for each other", Phrase.STEP, inTurn(2, i -> i / 3 % 2, false)),
                 Kind.wrong("RK4Solver", "x += v h", Phrase.STEP, from((source, h, s) -> {
@@ -290,7 +292,8 @@ final class Kinds {
                     double[] b = slopeAt(source, trial);
                     double[] end = move(s, h, 1, a, 0.5, 0.5);
                     source.setState(move(end, h, 0, b, 0, 0.5));
-                })), Kind.wrong("RK4Solver", "an acceleration added to a position", Phrase.FLIGHT, from((source, h, s) -> {
+                })), Kind.wrong("RK4Solver", "an acceleration added to a position", Phrase.FLIGHT, from((source, h,
+                        s) -> {
                     double[] end = s.clone();
                     rk4(source, h, s, i -> true, end);
                     double[] k = slope(source);
@@ -301,7 +304,8 @@ final class Kinds {
                 })), Kind.wrong("VerletSolver", "one acceleration for both", Phrase.DIFFERS, verlet(1, 0, 0.5)),
                 Kind.wrong("VerletSolver", "half missing", Phrase.DIFFERS, verlet(1, 1, 0.5)),
                 new Kind("VerletSolver", "velocity half a step behind", Optional.of(Phrase.FALL), Behind::new),
-                new Kind("VerletSolver", "begins without v", Optional.of(Phrase.FLIGHT), () -> new Stoermer(0, 0.5, true)),
+                new Kind("VerletSolver", "begins without v", Optional.of(Phrase.FLIGHT), () -> new Stoermer(0, 0.5,
+                        true)),
                 new Kind("VerletSolver", "begins without a", Optional.of(Phrase.FALL), () -> new Stoermer(1, 0, true)),
                 new Kind("VerletSolver", "(x - x before)/deltaT", Optional.of(Phrase.FALL), () -> new Stoermer(1, 0.5,
                         false)),
@@ -316,7 +320,8 @@ final class Kinds {
                 })), Kind.wrong("EulerSolver", "0.01 s", Phrase.FLIGHT_FIXED, from((source, h, s) -> {
                     source.setState(plus(s, 0.01, slope(source)));
                     source.incTime(h);
-                })), Kind.wrong("EulerSolver", "no clock", Phrase.CLOCK_STILL, from((source, h, s) -> source.setState(plus(
+                })), Kind.wrong("EulerSolver", "no clock", Phrase.CLOCK_STILL, from((source, h, s) ->
+                        source.setState(plus(
                         s, h, slope(source))))),
                 Kind.wrong("EulerSolver", "never set", Phrase.NEVER_SET, from((source, h, s) -> {
                     slope(source);
@@ -356,7 +361,8 @@ final class Kinds {
                         source.setState(s);
                     }
                     source.incTime(h);
-                })), new Kind("EulerSolver", "keeps its array", Optional.of(Phrase.KEPT), PlantedSolvers.KeptArray::new),
+                })), new Kind("EulerSolver", "keeps its array", Optional.of(Phrase.KEPT),
+                        PlantedSolvers.KeptArray::new),
                 new Kind("EulerSolver", "caches the size", Optional.of(Phrase.OTHER_SIZE),
                         PlantedSolvers.CachedSize::new),
                 new Kind("Mine", "a derivative once", Optional.of(Phrase.STALE), PlantedSolvers.StaleDerivative::new));

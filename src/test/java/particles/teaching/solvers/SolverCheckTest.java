@@ -107,7 +107,8 @@ class SolverCheckTest {
 
     @ParameterizedTest
     @CsvSource({"MyRK4Solver,RK4", "HeunSolver,HEUN", "BackwardEuler,BACKWARD_EULER",
-        "SemiImplicitEuler,SYMPLECTIC_EULER", "EulerSolver,EULER", "AB2Stepper,AB2", "LeapfrogIntegrator,VERLET", "RungeKutta4,RK4", "RKF45,RK45"})
+        "SemiImplicitEuler,SYMPLECTIC_EULER", "EulerSolver,EULER", "AB2Stepper,AB2", "LeapfrogIntegrator,VERLET",
+                "RungeKutta4,RK4", "RKF45,RK45"})
     void aClassNameDeclaresAMethod(String name, Method method) {
         assertEquals(Optional.of(method), SolverCheck.declared(name));
     }
