@@ -51,10 +51,11 @@ class ArchitectureTest {
             particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
                                            particles.output.charts particles.output.files particles.spec.messages
                                            picocli
-            particles.app.course:          deSolvers.catalog particles.app.cli particles.app.student
-                                           particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.report particles.spec particles.spec.messages
-                                           particles.teaching particles.teaching.exercises particles.view picocli
+            particles.app.course:          particles.app.cli particles.app.student particles.output.charts
+                                           particles.output.files particles.output.frames particles.output.report
+                                           particles.spec particles.spec.messages particles.teaching
+                                           particles.teaching.exercises particles.view com.google.gson
+                                           org.apache.commons picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase

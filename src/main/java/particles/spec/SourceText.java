@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.charset.CoderResult;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
@@ -53,6 +55,22 @@ public final class SourceText {
             }
         }
         return in.problem(problem);
+    }
+
+    /**
+     * Decodes a student's file as a person would read it.
+     *
+     * @return the text of bytes in UTF-8, in UTF-16 with a byte order mark, or else in windows-1252
+     */
+    public static String lenient(byte[] bytes) {
+        boolean wide = bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH
+                || bytes[0] == HIGH && bytes[1] == LOW);
+        try {
+            return (wide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8).newDecoder().decode(ByteBuffer.wrap(bytes))
+                    .toString().replaceFirst("^\ufeff", "");
+        } catch (CharacterCodingException e) {
+            return new String(bytes, Charset.forName("windows-1252"));
+        }
     }
 
     /**

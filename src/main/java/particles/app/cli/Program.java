@@ -83,6 +83,7 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
         }
         // no @file arguments; all errors are reported together
         program.setExpandAtFiles(false);
+        program.setCaseInsensitiveEnumValuesAllowed(true);
         collectErrors(program.getCommandSpec());
         program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));
         return program;

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.app.student.AskedMethods;
@@ -42,39 +43,44 @@ import particles.teaching.exercises.Exercises;
  *
  * @param deadline  the time after which a hand-in is late, if there is one
  * @param shows     what {@code grade} shows a student
- * @param sheets    whether the numbers are those of handouts, so that marking needs the key file
+ * @param numbers   where the numbers of exercises come from
  * @param exercises the weight of each exercise that counts
  * @param solvers   each solver that counts; empty for every class with such a name
  * @param effects   the weight of each effect that counts
  */
-record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheets,
-        Map<Integer, Double> exercises, Optional<Map<String, Asked>> solvers, Map<String, Double> effects) {
+record Assignment(Optional<OffsetDateTime> deadline, Shows shows, Numbers numbers, Map<Integer, Double> exercises,
+        Optional<Map<String, Asked>> solvers, Map<String, Double> effects) {
     static final String FILE = "assignment.yaml";
-    private static final String COMMENTS = "comments";
-    private static final String HANDED_IN = "handed-in";
-    private static final String SHEET = "sheet";
     private static final Type<String> CLASS = TextType.of("the name of a class", "^[A-Za-z_][A-Za-z0-9_]*$");
     private static final NumberType POINTS = NumberType.notNegative("");
+    private static final List<String> ALL = IntStream.rangeClosed(1, Exercises.ALL.size()).mapToObj(String::valueOf)
+            .toList();
 
     private static final Key<String> DEADLINE = TextType.prose().optional("deadline",
-            "The time after which a hand-in is late, such as 2026-03-14T23:59:00+13:00.");
-    private static final Key<String> SHOWS = NameType.of("choice", List.of(COMMENTS, "marks", HANDED_IN))
-            .withDefault("shows", COMMENTS, "What a student's own grade shows.");
-    private static final Key<String> NUMBERS = NameType.of("choice", List.of("id", SHEET)).withDefault("numbers", "id",
+            "The time after which a hand-in is late.");
+    private static final Key<Shows> SHOWS = NameType.of("choice", Shows.class).withDefault("shows", Shows.COMMENTS,
+            "What a student's own grade shows.");
+    private static final Key<Numbers> NUMBERS = NameType.of("choice", Numbers.class).withDefault("numbers", Numbers.ID,
             "Where the numbers of exercises come from.");
-    private static final List<Key<Double>> EXERCISES = IntStream.rangeClosed(1, Exercises.ALL.size())
-            .mapToObj(n -> POINTS.optional(Integer.toString(n), "The weight of this exercise.")).toList();
-    private static final Key<Values> COUNTED = MappingType.of("exercises", EXERCISES.toArray(new Key<?>[0]))
-            .optional("exercises", "The weight of each exercise that counts.");
-    private static final Key<String> METHOD = TextType.of("one of " + String.join(", ", AskedMethods.NAMES), "")
-            .withDefault("method", AskedMethods.ANY, "The method that it has to be.");
+    private static final Key<Map<String, Double>> EXERCISES = new MapType<>(new TextType("the number of an exercise",
+            Pattern.compile("^(" + String.join("|", ALL) + ")$"), true), POINTS)
+            .withDefault("exercises", ALL.stream().collect(Collectors.toMap(n -> n, n -> 1.0)),
+            "The weight of each exercise that counts.");
+    private static final Key<String> METHOD = NameType.of("method", AskedMethods.NAMES).withDefault("method",
+            AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
     private static final Key<Map<String, Values>> SOLVERS = new MapType<>(CLASS,
             MappingType.of("a solver", METHOD, WEIGHT).shortFor(METHOD)).optional("solvers", "The solvers that count.");
     private static final Key<Map<String, Double>> EFFECTS = new MapType<>(CLASS, POINTS)
             .withDefault("effects", Map.of(), "The effects that count.");
-    private static final MappingType FORMAT = MappingType.of("the assignment", DEADLINE, SHOWS, NUMBERS, COUNTED,
+    private static final MappingType FORMAT = MappingType.of("the assignment", DEADLINE, SHOWS, NUMBERS, EXERCISES,
             SOLVERS, EFFECTS);
+
+    /** What a student's own grade shows. */
+    enum Shows { COMMENTS, MARKS, HANDED_IN }
+
+    /** Where the numbers of exercises come from: the student's id, or a key file. */
+    enum Numbers { ID, SHEET }
 
     /**
      * A solver that counts.
@@ -104,21 +110,15 @@ record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheet
                         + " and its distance from UTC, such as 2026-03-14T23:59:00+13:00");
             }
         }));
-        values.flatMap(all -> all.find(SOLVERS)).stream().flatMap(asked -> asked.values().stream()).forEach(solver ->
-                solver.find(METHOD).filter(method -> !AskedMethods.NAMES.contains(method)).ifPresent(method ->
-                problems.add(solver.place(METHOD), AskedMethods.refusal(method))));
         problems.throwIfAny();
         Values all = values.orElseThrow();
         Map<Integer, Double> exercises = new TreeMap<>();
-        EXERCISES.forEach(key -> all.find(COUNTED).map(counted -> counted.find(key)).orElse(Optional.of(1.0))
-                .ifPresent(weight -> exercises.put(Integer.valueOf(key.name()), weight)));
-        Optional<Map<String, Asked>> solvers = all.find(SOLVERS).map(asked -> {
-            Map<String, Asked> byName = new TreeMap<>();
-            asked.forEach((name, solver) -> byName.put(name, new Asked(solver.get(METHOD), solver.get(WEIGHT))));
-            return byName;
-        });
-        return new Assignment(deadline, all.get(SHOWS), all.get(NUMBERS).equals(SHEET), exercises, solvers,
-                all.get(EFFECTS));
+        all.get(EXERCISES).forEach((number, weight) -> exercises.put(Integer.valueOf(number), weight));
+        Map<String, Asked> solvers = new TreeMap<>();
+        all.find(SOLVERS).ifPresent(asked -> asked.forEach((name, solver) -> solvers.put(name, new Asked(
+                solver.get(METHOD), solver.get(WEIGHT)))));
+        return new Assignment(deadline, all.get(SHOWS), all.get(NUMBERS), exercises, all.find(SOLVERS).map(asked ->
+                solvers), new TreeMap<>(all.get(EFFECTS)));
     }
 
     /** @return the solvers that count, if a student has these classes */
@@ -127,15 +127,10 @@ record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheet
                 name -> name, name -> new Asked(AskedMethods.ANY, 1), (a, b) -> a, TreeMap::new)));
     }
 
-    /** @return whether a student's own grade shows marks */
-    boolean showsMarks() {
-        return !shows.equals(HANDED_IN);
-    }
-
     /** @return as much of a mark as a student's own grade shows */
     Result.Item shown(Result.Item item) {
-        return shows.equals(COMMENTS) ? item : new Result.Item(item.name(), item.answered(), showsMarks()
-                ? item.status() : item.answered() ? Result.Status.PASS : Result.Status.FAIL, showsMarks()
-                ? item.weight() : 0, List.of());
+        boolean handedIn = shows == Shows.HANDED_IN;
+        return shows == Shows.COMMENTS ? item : Result.Item.of(item.name(), item.answered(), !handedIn ? item.status()
+                : item.answered() ? Result.Status.PASS : Result.Status.FAIL, handedIn ? 0 : item.maxScore(), List.of());
     }
 }

@@ -5,21 +5,23 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.function.Supplier;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
+import particles.app.course.Result.State;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
-import particles.output.files.TemporaryFolder;
 import particles.output.frames.Pipeline;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -28,65 +30,77 @@ import picocli.CommandLine.Option;
 @Command(name = GradeClassCommand.NAME, description = "Marks the hand-ins of a class.")
 public final class GradeClassCommand extends ResultsCommand {
     static final String NAME = "gradeClass";
-    private static final String BEST = "best";
 
-    @Option(names = "--folder", paramLabel = "FOLDER",
-            description = "A folder or zip for each student, as Moodle and GitHub Classroom download them.")
-    private Path folder;
+    /** Where the results come from. */
+    static final class Source {
+        @Option(names = "--folder", paramLabel = "FOLDER",
+                description = "The hand-ins, as Moodle and GitHub Classroom download them.")
+        private Optional<Path> folder;
 
-    @Option(names = "--collect", paramLabel = "FOLDER",
-            description = "In place of --folder: the results of grade, each in a folder of its own.")
-    private Path collect;
+        @Option(names = "--collect", paramLabel = "FOLDER",
+                description = "In place of --folder: the folder with the results of all parts of a class.")
+        private Optional<Path> collect;
+    }
 
-    @Option(names = "--students", paramLabel = "FILE",
-            description = "A CSV file with a header; each line has an id first, then names used in the hand-ins.")
-    private Path students;
+    /** Which of several hand-ins of a student counts. */
+    enum Attempt { LAST, BEST }
+
+    @ArgGroup(multiplicity = "1")
+    private Source source;
+
+    @Option(names = "--students", paramLabel = "FILE", description = "A CSV file: a list from Moodle, or lines with an"
+            + " id, a name, and other names used in the hand-ins.")
+    private Optional<Path> students;
+
+    @Option(names = "--part", paramLabel = "K/N", split = "/",
+            description = "Marks only part K of N, such as 3/16; --collect then makes the tables.")
+    private List<Integer> part = List.of(1, 1);
 
     @Option(names = "--attempt", paramLabel = "WHICH",
             description = "Which of several hand-ins counts: last or best (default: last).")
-    private String attempt = "last";
+    private Attempt attempt = Attempt.LAST;
 
     @Mixin
     private final CourseOptions course = new CourseOptions();
 
-    private final List<String> problems = new ArrayList<>();
-    private final Map<Path, String> digests = new TreeMap<>();
+    @Override
+    protected void read(Mistakes mistakes) {
+        super.read(mistakes);
+        mistakes.check(() -> {
+            source.folder.or(() -> source.collect).filter(path -> !Files.isDirectory(path)).ifPresent(path -> {
+                throw wrong("folder", "'" + path + "' is not a folder");
+            });
+            if (part.size() != 2 || part.get(0) < 1 || part.get(0) > part.get(1)) {
+                throw wrong("part", "has to be a part of a class, such as 3/16");
+            }
+        });
+    }
 
     @Override
     public void run(PrintWriter out) throws Exception {
-        if (!attempt.equals("last") && !attempt.equals(BEST)) {
-            throw wrong("attempt", "'" + attempt + "' has to be last or best");
-        }
-        if ((folder == null) == (collect == null)) {    // null where it was not given
-            throw wrong("folder", "give either this option or " + getStyle().option("collect"));
-        }
-        Assignment assignment = course.assignment();
-        if (assignment.sheets() && course.key().isEmpty() && collect == null) {
+        Assignment assignment = course.readAssignment();
+        if (assignment.numbers() == Assignment.Numbers.SHEET && course.getKey().isEmpty()
+                && source.folder.isPresent()) {
             throw wrong("key", "is needed: by the assignment, the numbers are those of the handouts");
         }
-        try (TemporaryFolder temporary = new TemporaryFolder("desolver-class");
-                OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
-            Path copies = temporary.getPath();
-            Map<String, List<String>> words = students == null ? Map.of() : CourseOptions.read(students);
-            List<Result> results = new ArrayList<>();
-            if (collect == null) {
-                results.addAll(marked(found(words), assignment, copies, out));
-            } else {
-                inside(collect, "collect").stream().map(each -> each.resolve(Result.FILE)).filter(Files::isRegularFile)
-                        .map(Result::read).forEach(results::add);
-            }
-            for (String id : words.keySet()) {
-                if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
-                    problems.add("nothing was handed in by " + id);
-                    results.add(Marking.begin(id, Submission.NONE, assignment, List.of(), copies,
-                            copies.resolve("none")).get());
-                }
-            }
+        ClassList list = students.map(ClassList::read).orElse(ClassList.NONE);
+        list.remarks().forEach(out::println);
+        if (part.get(1) > 1) {
+            out.println(marked(list, assignment, out).size() + " hand-ins are marked in " + getFolder()
+                    + "; make the tables with " + getStyle().option("collect"));
+            return;
+        }
+        try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
+            List<Result> results = new ArrayList<>(source.folder.isPresent() ? marked(list, assignment, out)
+                    : collected(source.collect.orElseThrow()));
+            Set<String> there = results.stream().map(result -> ClassList.fold(result.student())).collect(Collectors
+                    .toSet());
+            Submission nothing = new Submission("");
+            list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each -> Result.of(
+                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment, List.of(),
+                    nothing, getFolder()).items())).forEach(results::add);
             Marking.clear(getFolder(), ClassTables.FILES);
-            String said = new ClassTables(assignment, results, attempt.equals(BEST)).write(files, getFolder(),
-                    problems);
-            problems.forEach(out::println);
-            out.println(said);
+            new ClassTables(assignment, list, results, attempt).write(files).forEach(out::println);
         }
     }
 
@@ -95,104 +109,50 @@ public final class GradeClassCommand extends ResultsCommand {
         return name() + " was stopped; the same command goes on with those who are not marked yet";
     }
 
-    private List<Path> inside(Path given, String option) {
-        try (Stream<Path> all = Files.list(given)) {
-            return all.sorted().toList();
-        } catch (IOException e) {
-            throw wrong(option, "'" + given + "' is not a folder that can be read");
+    /** Finds the results in a folder; a damaged one is a student's whose marks cannot be read. */
+    private static List<Result> collected(Path folder) throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            return all.filter(file -> file.endsWith(Result.FILE)).sorted().map(file -> Result.read(file).orElseGet(() ->
+                    Result.of(file.getParent().getFileName().toString(), State.UNREADABLE, new Submission(""), "",
+                    List.of(Result.FILE + " is damaged"), List.of()))).toList();
         }
     }
 
-    /** Finds each student's hand-ins, the last one first. */
-    private Map<String, List<Submission>> found(Map<String, List<String>> words) {
-        Map<String, List<Submission>> found = new TreeMap<>();
-        for (Path path : inside(folder, "folder")) {
-            if (!Files.isDirectory(path) && !Submission.isZip(path)) {
-                continue;
-            }
-            Submission read;
-            try {
-                read = Submission.read(path);
-            } catch (IOException | RuntimeException e) {
-                problems.add(path.getFileName() + " cannot be read: " + e.getMessage());
-                continue;
-            }
-            digests.put(path, read.digest());
-            // of ann and mary-ann, hw1-mary-ann belongs to the longer one
-            int longest = words.values().stream().mapToInt(read::longestOf).max().orElse(0);
-            List<String> ids = words.keySet().stream().filter(id -> longest > 0
-                    && read.longestOf(words.get(id)) == longest).toList();
-            if (ids.size() != 1 && !words.isEmpty()) {
-                problems.add(read.name() + " belongs to " + (ids.isEmpty() ? "nobody" : "more than one") + " in "
-                        + students.getFileName());
-            }
-            found.computeIfAbsent(ids.size() == 1 ? ids.get(0) : read.id(), id -> new ArrayList<>()).add(read);
-        }
-        found.values().forEach(all -> all.sort(Comparator.comparing(Submission::newest).reversed()));
-        return found;
-    }
-
-    /** Marks all answers, which runs no class, and only then all classes, one hand-in on each core. */
-    private List<Result> marked(Map<String, List<Submission>> found, Assignment assignment, Path copies,
-            PrintWriter out) throws IOException {
-        Map<Path, Supplier<Result>> begun = new LinkedHashMap<>();
-        for (Map.Entry<String, List<Submission>> each : found.entrySet()) {
-            List<String> numbers = course.numbers(assignment, each.getKey());
-            if (numbers.isEmpty()) {
-                problems.add(each.getKey() + " is not in the key file");
-            }
-            for (Submission handIn : each.getValue().subList(0, attempt.equals(BEST) ? each.getValue().size() : 1)) {
-                Path results = folderOf(each.getKey(), begun.keySet());
-                begun.put(results, Marking.begin(each.getKey(), handIn, assignment, numbers, results,
-                        copies.resolve("" + begun.size())));
-            }
-        }
+    /** Reads all hand-ins of this part, and only then marks them, one on each core. */
+    private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
+        Function<String, List<String>> numbers = course.numbersOf(assignment);
+        List<Map.Entry<String, List<Path>>> all = List.copyOf(Submission.list(source.folder.orElseThrow()).entrySet());
+        List<Submission> handIns = IntStream.iterate(part.get(0) - 1, k -> k < all.size(), k -> k + part.get(1))
+                .mapToObj(all::get).map(each -> Submission.read(each.getKey(), each.getValue())).toList();
         PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
         Map<Path, Result> results = new LinkedHashMap<>();
         try (Pipeline<Path> cores = new Pipeline<>(Runtime.getRuntime().availableProcessors(), this::getFolder)) {
-            begun.forEach((where, marking) -> cores.add(folder -> {
-                Result result = marking.get();
-                write(where, result);                   // at once, so that it counts after a stop
+            handIns.forEach(handIn -> cores.add(folder -> {
+                Path where = folder.resolve(handIn.folder());
+                Optional<String> owner = list == ClassList.NONE ? Optional.of(Submission.id(handIn.name()))
+                        : list.owner(handIn.name()).map(ClassList.Student::id);
+                State state = owner.isEmpty() ? State.WHOSE : handIn.damaged().isEmpty() ? State.MARKED
+                        : State.UNREADABLE;
+                Result result = state == State.MARKED ? new Marking(assignment, numbers.apply(owner.get()), handIn,
+                        where).result(owner.get()) : Result.of(owner.orElse(handIn.name()), state, handIn, "",
+                        handIn.damaged(), List.of());
+                write(where, result, out);              // at once, so that it counts after a stop
                 return () -> {
                     results.put(where, result);
-                    progress.reached((double) results.size() / begun.size(), result.student());
+                    progress.reached((double) results.size() / handIns.size(), result.student());
                 };
             }));
         }
         // once more: a class may have changed what was written
-        results.forEach((where, result) -> write(where, result).ifPresent(problems::add));
-        List<Path> changed = digests.keySet().stream().filter(this::isChanged).map(Path::getFileName).toList();
-        if (!changed.isEmpty()) {
-            problems.add(changed.get(0) + (changed.size() == 1 ? "" : " and " + (changed.size() - 1) + " more")
-                    + " changed while classes ran; marked as before, but download again what is in " + folder);
-        }
-        return new ArrayList<>(results.values());
+        results.forEach((where, result) -> write(where, result, out));
+        return results.values();
     }
 
-    private boolean isChanged(Path handIn) {
-        try {
-            return !Submission.read(handIn).digest().equals(digests.get(handIn));
-        } catch (IOException | RuntimeException gone) {
-            return true;
-        }
-    }
-
-    /** @return what went wrong, in a line */
-    private static Optional<String> write(Path where, Result result) {
+    private static void write(Path where, Result result, PrintWriter out) {
         try {
             Marking.write(where, result);
-            return Optional.empty();
         } catch (OutputException e) {
-            return Optional.of("the page of " + result.student() + " is missing: " + e.getMessage());
+            out.println("the page of " + result.student() + " is missing: " + e.getMessage());
         }
-    }
-
-    private Path folderOf(String student, Set<Path> taken) {
-        Path plain = getFolder().resolve(student.replaceAll("[^\\w-]", "_"));
-        Path free = plain;
-        for (int k = 2; taken.contains(free); k++) {
-            free = plain.resolveSibling(plain.getFileName() + "." + k);
-        }
-        return free;
     }
 }

@@ -1,141 +1,138 @@
 package particles.app.course;
 
+import com.google.gson.FieldNamingPolicy;
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.annotations.SerializedName;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import particles.spec.JsonText;
-import particles.spec.Ordered;
-import particles.spec.messages.InvalidInputException;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import particles.app.cli.Program;
 
 /**
  * The result of one hand-in: the file grade.json. {@code status}, {@code max_score} and {@code tests} are those that
  * the autograding reporter of GitHub Classroom reads; the other keys are ours.
  *
- * @param handIn   what was marked
- * @param program  the version of the program
+ * @param version  of the reporter's format
+ * @param status   right if all marks are
+ * @param maxScore the most points
+ * @param tests    the marks
+ * @param student  the student's id; of a hand-in that is nobody's, its name
+ * @param state    whether it was marked
+ * @param handIn   the name of the folder or archive; empty if nothing was handed in
+ * @param date     the latest date of a file in it
  * @param digest   of everything on which the result depends
+ * @param program  the version of the program
  * @param problems lines on what could not be read
- * @param classes  each class that was handed in, as {@link Copies} knows it
- * @param items    the marks
  */
-record Result(HandIn handIn, String program, String digest, List<String> problems, List<String> classes,
-        List<Item> items) {
+record Result(int version, Status status, double maxScore, List<Item> tests, String student, State state,
+        String handIn, String date, String digest, String program, List<String> problems) {
     static final String FILE = "grade.json";
+    private static final Gson JSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
+            .setFieldNamingPolicy(FieldNamingPolicy.LOWER_CASE_WITH_UNDERSCORES).create();
 
-    /**
-     * A hand-in.
-     *
-     * @param student the student's id
-     * @param name    the name of the folder or zip; empty if nothing was handed in
-     * @param date    the latest date of a file in it
-     */
-    record HandIn(String student, String name, Instant date) {
+    /** Right, wrong or missing, not decided. */
+    enum Status {
+        @SerializedName("pass") PASS,
+        @SerializedName("fail") FAIL,
+        @SerializedName("error") ERROR
+    }
+
+    /** Why there are no marks; first those that a person has to look at. */
+    enum State {
+        WHOSE("whose?"),
+        UNREADABLE("cannot be read"),
+        NOTHING("nothing handed in"),
+        MARKED("");
+
+        private final String words;
+
+        State(String words) {
+            this.words = words;
+        }
+
+        String words() {
+            return words;
+        }
     }
 
     /**
      * A mark.
      *
      * @param name     the exercise or class
-     * @param answered whether it was handed in
      * @param status   the mark; not decided if the machine was too busy
-     * @param weight   the most points
-     * @param lines    the comments
+     * @param score    the points
+     * @param maxScore the most points
+     * @param answered whether it was handed in
+     * @param message  the first comment
+     * @param more     the other comments
+     * @param lineNo   always 0
      */
-    record Item(String name, boolean answered, Status status, double weight, List<String> lines) {
-        double points() {
-            return status == Status.PASS ? weight : 0;
+    record Item(String name, Status status, double score, double maxScore, boolean answered, String message,
+            List<String> more, int lineNo) {
+        static Item of(String name, boolean answered, Status status, double weight, List<String> lines) {
+            return new Item(name, status, status == Status.PASS ? weight : 0, weight, answered,
+                    lines.isEmpty() ? "" : lines.get(0), lines.stream().skip(1).toList(), 0);
+        }
+
+        /** @return all comments */
+        List<String> lines() {
+            return Stream.concat(Stream.of(message).filter(line -> !line.isEmpty()), more.stream()).toList();
         }
 
         /** @return the first mistake */
         String mistake() {
-            return status == Status.PASS || lines.isEmpty() ? "" : lines.stream()
-                    .filter(line -> line.matches("(WRONG|PROMISE), .*")).findFirst().orElse(lines.get(0));
+            return status == Status.PASS ? "" : lines().stream().filter(line -> line.matches("(WRONG|PROMISE), .*"))
+                    .findFirst().orElse(message);
         }
     }
 
-    /** Right, wrong or missing, not decided. */
-    enum Status {
-        PASS, FAIL, ERROR;
-
-        String word() {
-            return name().toLowerCase(Locale.ROOT);
-        }
+    /** A result that was damaged lacks something. */
+    Result {
+        Stream.of(status, tests, student, state, handIn, Instant.parse(date), digest, program, problems)
+                .forEach(Objects::requireNonNull);
     }
 
-    String student() {
-        return handIn.student;
+    /** A result of this program. */
+    static Result of(String student, State state, Submission handIn, String digest, List<String> problems,
+            List<Item> items) {
+        boolean decided = items.stream().noneMatch(item -> item.status == Status.ERROR);
+        return new Result(1, !decided ? Status.ERROR : items.stream().allMatch(item -> item.status == Status.PASS)
+                ? Status.PASS : Status.FAIL, items.stream().mapToDouble(Item::maxScore).sum(), items, student, state,
+                handIn.name(), handIn.newest().toString(), digest, Program.VERSION, problems);
     }
 
-    /** @return right if all marks are */
-    Status status() {
-        return !isDecided() ? Status.ERROR : items.stream().allMatch(item -> item.status == Status.PASS) ? Status.PASS
-                : Status.FAIL;
+    Instant instant() {
+        return Instant.parse(date);
     }
 
     double points() {
-        return items.stream().mapToDouble(Item::points).sum();
-    }
-
-    double most() {
-        return items.stream().mapToDouble(Item::weight).sum();
+        return tests.stream().mapToDouble(Item::score).sum();
     }
 
     /** @return the points in words; where none are given, as before a deadline, how much was handed in */
     String summary() {
-        return most() > 0 ? ClassTables.number(points()) + " of " + ClassTables.number(most()) + " points"
-                : items.stream().filter(Item::answered).count() + " of " + items.size()
+        return maxScore > 0 ? ClassTables.number(points()) + " of " + ClassTables.number(maxScore) + " points"
+                : tests.stream().filter(Item::answered).count() + " of " + tests.size()
                 + " handed in, and no points yet";
-    }
-
-    boolean isDecided() {
-        return items.stream().noneMatch(item -> item.status == Status.ERROR);
     }
 
     /** @return the contents of the file */
     String json() {
-        return JsonText.of(Ordered.map("version", 1, "status", status().word(), "max_score", most(),
-                "tests", items.stream().map(item -> Ordered.map("name", item.name, "status", item.status.word(),
-                "score", item.points(), "max_score", item.weight, "answered", item.answered, "message",
-                item.lines.isEmpty() ? "" : item.lines.get(0), "more", item.lines.stream().skip(1).toList(),
-                "line_no", 0)).toList(), "student", student(), "handedIn", handIn.name, "date", handIn.date.toString(),
-                "digest", digest, "program", program, "problems", problems, "classes", classes));
+        return JSON.toJson(this) + "\n";
     }
 
-    /**
-     * @param file a file with a result
-     * @return the result
-     * @throws InvalidInputException if it is none
-     */
-    static Result read(Path file) {
+    /** @return the result in a file; nothing if there is none, or it is damaged */
+    static Optional<Result> read(Path file) {
         try {
-            Map<?, ?> all = (Map<?, ?>) JsonText.read(Files.readString(file));
-            return new Result(new HandIn(text(all, "student"), text(all, "handedIn"), Instant.parse(text(all, "date"))),
-                    text(all, "program"), text(all, "digest"), texts(all, "problems"), texts(all, "classes"),
-                    ((List<?>) all.get("tests")).stream().map(test -> item((Map<?, ?>) test)).toList());
+            return Optional.ofNullable(JSON.fromJson(Files.readString(file), Result.class));
         } catch (IOException | RuntimeException e) {
-            throw new InvalidInputException(file + ": this is not a result of grade, or it is damaged");
+            return Optional.empty();
         }
-    }
-
-    private static Item item(Map<?, ?> test) {
-        List<String> lines = new ArrayList<>(texts(test, "more"));
-        if (!text(test, "message").isEmpty()) {
-            lines.add(0, text(test, "message"));
-        }
-        return new Item(text(test, "name"), (Boolean) test.get("answered"), Status.valueOf(text(test, "status")
-                .toUpperCase(Locale.ROOT)), ((Number) test.get("max_score")).doubleValue(), lines);
-    }
-
-    private static String text(Map<?, ?> map, String key) {
-        return map.get(key).toString();
-    }
-
-    private static List<String> texts(Map<?, ?> map, String key) {
-        return ((List<?>) map.get(key)).stream().map(Object::toString).toList();
     }
 }

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.apache.commons.csv.CSVFormat;
 import particles.app.cli.ResultsCommand;
 import particles.output.files.OutputFolder;
 import particles.output.report.Html;
@@ -54,16 +55,18 @@ public final class SheetsCommand extends ResultsCommand {
 
     @Override
     public void run(PrintWriter out) throws Exception {
-        Map<Integer, Double> wanted = course.assignment().exercises();
-        Path key = course.key().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
-        Map<String, List<String>> keys = Files.exists(key) ? CourseOptions.key(key) : new TreeMap<>();
+        Map<Integer, Double> wanted = course.readAssignment().exercises();
+        Path key = course.getKey().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
+        Map<String, List<String>> keys = Files.exists(key) ? CourseOptions.key(key)
+                : new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         List<List<Double>> taken = IntStream.rangeClosed(0, Exercises.ALL.size())
                 .<List<Double>>mapToObj(number -> new ArrayList<>()).toList();
         keys.values().forEach(secrets -> wanted.keySet().forEach(number ->
                 answer(number, secrets.get(number)).forEach(taken.get(number)::add)));
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
-            for (String student : CourseOptions.read(students).keySet()) {
+            for (ClassList.Student each : ClassList.read(students).students().values()) {
+                String student = each.id();
                 List<String> secrets = keys.computeIfAbsent(student, id -> Stream.concat(Stream.of(id), IntStream
                         .rangeClosed(1, Exercises.ALL.size()).mapToObj(number -> secret(number,
                         taken.get(number)))).toList());
@@ -74,7 +77,7 @@ public final class SheetsCommand extends ResultsCommand {
                         Exercises.ALL.get(number - 1).text(new Draw(secrets.get(number), number)))).toList())));
             }
             List<String> lines = new ArrayList<>(List.of(HEAD));
-            keys.values().forEach(cells -> lines.add(String.join(",", cells)));
+            keys.values().forEach(cells -> lines.add(CSVFormat.DEFAULT.format(cells.toArray())));
             Path whole = key.resolveSibling(key.getFileName() + ".new");
             Files.write(whole, lines);
             Files.move(whole, key, StandardCopyOption.REPLACE_EXISTING);

@@ -2,137 +2,201 @@ package particles.app.course;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.spec.Digest;
+import java.util.zip.CRC32;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
+import java.util.zip.ZipFile;
+import org.apache.commons.compress.archivers.tar.TarArchiveEntry;
+import org.apache.commons.compress.archivers.tar.TarArchiveInputStream;
+import particles.spec.SourceText;
+import particles.spec.messages.InvalidInputException;
 
 /**
- * A hand-in as Moodle and GitHub Classroom download it: a folder or a zip, or a folder with a zip. It is copied before
- * any class runs. Links are not followed.
+ * A hand-in as Moodle and GitHub Classroom download it: a folder, a zip or .tar.gz, a folder with these, or the files
+ * of Moodle's download without folders. It is read into memory before any class runs. Links are not followed.
  *
- * @param name    the name of the folder or zip
- * @param files   the text of each YAML and Java file, by its path
- * @param newest  the latest date of one of these files
+ * @param name    the name of the folder or archive
+ * @param files   the YAML and Java files, by their paths
+ * @param damaged the files that cannot be read, and why, a line each
+ * @param others  the paths of all other files
  */
-record Submission(String name, Map<String, byte[]> files, Instant newest) {
-    /** Nothing was handed in. */
-    static final Submission NONE = new Submission("", Map.of(), Instant.EPOCH);
+record Submission(String name, Map<String, Text> files, List<String> damaged, List<String> others) {
+    /** Moodle's names of folders, and of files in a download without folders: student, number, file. */
+    static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_[a-z]+_?(.*)");
+    static final String ANSWERS = "answers.yaml";
     private static final int MOST_FILES = 1000;
     private static final int LARGEST = 1 << 20;
-    private static final String ANSWERS = "answers.yaml";
+    private static final Pattern ARCHIVE = Pattern.compile("(?i)(.*)[.](zip|tar[.]gz|tgz|rar|7z|tar)");
+    /** A file among hand-ins; its name begins with that of the hand-in. */
+    private static final Pattern FILE = Pattern.compile("(.*_assignsubmission_[a-z]+_).*|" + ARCHIVE.pattern());
+    private static final Pattern TEXT = Pattern.compile("(?i)(.*[.](?:java|ya?ml)|(?:.*/)?answers?)(?:[.]txt)?");
+    private static final Pattern ANY_ANSWERS = Pattern.compile("(?i)(.*/)?answers?\\W*\\d*\\W*([.]ya?ml)?");
     private static final Comparator<String> DEPTH = Comparator.comparingLong(path ->
             path.chars().filter(c -> c == '/').count());
-    private static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_file.*");
-    /** What is not the student's: hidden files, what a Mac adds to a zip, and this project. */
+    /** What is not the student's: hidden files, what a Mac adds to a zip, what is built, and this project. */
     private static final Pattern NOT_HANDED_IN = Pattern.compile(
-            "(?:^|/)(?:[.][^/]+|__MACOSX|src/test|src/main/java/(?:particles|deSolvers))(?:/|$)");
+            "(?:^|/)(?:[.][^/]+|__MACOSX|build|src/test|src/main/java/(?:particles|deSolvers))(?:/|$)");
     private static final Pattern OTHER_PACKAGE = Pattern.compile("(?m)^\\s*package\\s+(?!exercises\\s*;)");
 
+    /** The contents and the date of a file. */
+    record Text(String text, Instant date) {
+    }
+
+    /** An empty hand-in. */
+    Submission(String name) {
+        this(name, new TreeMap<>(), new ArrayList<>(), new ArrayList<>());
+    }
+
     /**
-     * @param path a folder or a zip
-     * @return what is in it
-     * @throws IOException if it cannot be read
+     * @param folder what was downloaded
+     * @return the paths of each hand-in, by the name of the folder or archive, or how Moodle's names of its files begin
+     * @throws IOException if the folder cannot be read
      */
-    static Submission read(Path path) throws IOException {
-        Submission found = new Submission(path.getFileName().toString().replaceFirst("(?i)[.]zip$", ""),
-                new TreeMap<>(), Instant.EPOCH);
-        return isZip(path) ? found.withZip(path) : found.with(path, true);
-    }
-
-    static boolean isZip(Path path) {
-        return path.toString().toLowerCase(Locale.ROOT).endsWith(".zip");
-    }
-
-    private Submission withZip(Path zip) throws IOException {
-        try (FileSystem inside = FileSystems.newFileSystem(zip)) {
-            return with(inside.getPath("/"), false);
+    static Map<String, List<Path>> list(Path folder) throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(path -> !NOT_HANDED_IN.matcher(nameOf(path)).find() && (isFolder(path) || MOODLE.matcher(
+                    nameOf(path)).matches() || ARCHIVE.matcher(nameOf(path)).matches())).sorted().collect(Collectors
+                    .groupingBy(path -> isFolder(path) ? nameOf(path) : FILE.matcher(nameOf(path)).replaceFirst("$1$2"),
+                    TreeMap::new, Collectors.toList()));
         }
     }
 
-    private Submission with(Path root, boolean zips) throws IOException {
-        List<Path> paths;
-        try (Stream<Path> walk = Files.walk(root)) {
-            paths = walk.filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)).sorted().toList();
-        }
-        Submission all = this;
-        for (Path file : paths) {
-            String place = root.relativize(file).toString().replace('\\', '/');
-            if (NOT_HANDED_IN.matcher(place).find()) {
-                continue;
-            }
-            if (zips && isZip(file)) {
-                all = all.withZip(file);
-            } else if (place.matches(".*[.](java|ya?ml)") && files.size() <= MOST_FILES) {
-                try (InputStream bytes = Files.newInputStream(file)) {
-                    files.put(place, bytes.readNBytes(LARGEST));
-                }
-                Instant date = Files.getLastModifiedTime(file).toInstant();
-                all = new Submission(name, files, date.isAfter(all.newest) ? date : all.newest);
-            }
-        }
-        return all;
+    private static String nameOf(Path path) {
+        return path.getFileName().toString();
     }
 
-    /** @return a short text that changes with each file */
-    String digest() {
-        Map<String, String> digests = new TreeMap<>();
-        files.forEach((path, bytes) -> digests.put(path,
-                Digest.of(new String(bytes, StandardCharsets.ISO_8859_1))));
-        return Digest.of(digests.toString());
-    }
-
-    /** @return what was not read, in a line */
-    List<String> problems() {
-        List<String> problems = new ArrayList<>(files.keySet().stream().filter(path -> !path.endsWith(".java")
-                && !isPath(path)).map(path -> "no file of this machine can have the name " + path).toList());
-        if (files.size() > MOST_FILES) {
-            problems.add("there are more than " + MOST_FILES + " YAML and Java files; the others were not read");
-        }
-        return problems;
-    }
-
-    /** Whether a file can have this path here; where the locale is C, only ASCII can be in it. */
-    @SuppressWarnings("ReturnValueIgnored")
-    private static boolean isPath(String path) {
-        try {
-            Path.of(path);
-            return true;
-        } catch (InvalidPathException e) {
-            return false;
-        }
+    private static boolean isFolder(Path path) {
+        return Files.isDirectory(path, LinkOption.NOFOLLOW_LINKS);
     }
 
     /** @return the number that Moodle gave the participant; otherwise the name */
-    String id() {
+    static String id(String name) {
         Matcher moodle = MOODLE.matcher(name);
         return moodle.matches() ? moodle.group(2) : name;
     }
 
-    /**
-     * @param words names and numbers from a list of students
-     * @return the length of the longest that means this hand-in, by name, number, or the end of assignment-login; or 0
-     */
-    int longestOf(List<String> words) {
-        Matcher moodle = MOODLE.matcher(name);
-        return words.stream().filter(word -> moodle.matches() && word.equalsIgnoreCase(moodle.group(1))
-                || word.equalsIgnoreCase(id()) || name.toLowerCase(Locale.ROOT).endsWith("-" + word
-                .toLowerCase(Locale.ROOT))).mapToInt(String::length).max().orElse(0);
+    /** @return what is in the paths of a hand-in, by its name in the {@link #list} */
+    static Submission read(String name, List<Path> paths) {
+        Submission read = new Submission(name);
+        for (Path path : paths) {
+            try (Stream<Path> walk = Files.walk(path)) {
+                walk.filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)).sorted().forEach(file ->
+                        read.add(isFolder(path) ? path.relativize(file).toString().replace('\\', '/') : nameOf(path)
+                        .replaceFirst(".*_assignsubmission_[a-z]+_(?=[^.])", ""), file));
+            } catch (IOException | RuntimeException e) {
+                read.damaged.add(nameOf(path) + ": " + e.getMessage());
+            }
+        }
+        return read;
+    }
+
+    private void add(String place, Path file) {
+        Matcher archive = ARCHIVE.matcher(place);
+        try {
+            if (!archive.matches()) {
+                try (InputStream bytes = Files.newInputStream(file)) {
+                    add(place, bytes, Files.getLastModifiedTime(file));
+                }
+            } else if (NOT_HANDED_IN.matcher(place).find()) {
+                others.add(place);
+            } else if (archive.group(2).equalsIgnoreCase("zip")) {
+                zip(file);
+            } else if (archive.group(2).matches("(?i).*gz")) {
+                tar(file);
+            } else {
+                throw new IOException("only .zip and .tar.gz are read");
+            }
+        } catch (IOException | RuntimeException e) {
+            damaged.add(place + ": " + e.getMessage());
+        }
+    }
+
+    /** Names are in UTF-8, or in the code page of old Windows programs. */
+    private void zip(Path file) throws IOException {
+        try {
+            zip(file, StandardCharsets.UTF_8);
+        } catch (ZipException e) {
+            zip(file, Charset.forName("IBM437"));
+        }
+    }
+
+    private void zip(Path file, Charset names) throws IOException {
+        try (ZipFile zip = new ZipFile(file.toFile(), names)) {
+            for (ZipEntry entry : zip.stream().filter(entry -> !entry.isDirectory()).toList()) {
+                try (InputStream bytes = zip.getInputStream(entry)) {
+                    CRC32 sum = new CRC32();
+                    byte[] read = add(entry.getName(), bytes, entry.getLastModifiedTime());
+                    sum.update(read);
+                    if (read.length == entry.getSize() && sum.getValue() != entry.getCrc()) {
+                        throw new IOException("the checksum of " + entry.getName() + " is wrong");
+                    }
+                }
+            }
+        }
+    }
+
+    private void tar(Path file) throws IOException {
+        try (TarArchiveInputStream tar = new TarArchiveInputStream(new GZIPInputStream(Files.newInputStream(file)),
+                StandardCharsets.UTF_8.name())) {
+            for (TarArchiveEntry entry = tar.getNextEntry(); entry != null; entry = tar.getNextEntry()) {
+                if (entry.isFile()) {
+                    add(entry.getName(), tar, entry.getLastModifiedTime());
+                }
+            }
+        }
+    }
+
+    /** @return what was read of a text */
+    private byte[] add(String place, InputStream bytes, FileTime date) throws IOException {
+        Matcher text = TEXT.matcher(place);
+        if (NOT_HANDED_IN.matcher(place).find() || !text.matches() || files.size() >= MOST_FILES) {
+            others.add(place);
+            return new byte[0];
+        }
+        byte[] read = bytes.readNBytes(LARGEST);
+        files.put(text.group(1), new Text(SourceText.lenient(read), date.toInstant()));
+        return read;
+    }
+
+    /** @return the name of the folder of its result, in which Moodle knows feedback */
+    String folder() {
+        return name + (name.endsWith("_assignsubmission_file") ? "_" : "");
+    }
+
+    /** @return the latest date of a file */
+    Instant newest() {
+        return files.values().stream().map(Text::date).max(Comparator.naturalOrder()).orElse(Instant.EPOCH);
+    }
+
+    /** @return the paths of all that may be answers; first what is fewest folders deep and called as it should be */
+    List<String> answers() {
+        return files.keySet().stream().filter(ANY_ANSWERS.asMatchPredicate()).sorted(DEPTH.thenComparing(path ->
+                !path.endsWith(ANSWERS)).thenComparing(Comparator.naturalOrder())).toList();
+    }
+
+    /** @return the files that a student may have meant to count, and that do not, a line each */
+    List<String> remarks() {
+        return Stream.concat(answers().stream().skip(1), others.stream().filter(path -> files.isEmpty() || path.matches(
+                "(?i)(.*/)?answers?[.].*") || files.size() == MOST_FILES).limit(2)).map(path -> path + " is not read"
+                + answers().stream().limit(1).map(best -> ": the answers are in " + best).collect(Collectors.joining()))
+                .toList();
     }
 
     /**
@@ -140,42 +204,24 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
      *         with one name, the one that is fewest folders deep
      */
     Map<String, String> sources() {
-        Map<String, String> named = new TreeMap<>();
-        Map<String, String> others = new TreeMap<>();
-        files.keySet().stream().sorted(DEPTH).forEach(path -> {
-            String text = new String(files.get(path), StandardCharsets.UTF_8);
-            String simple = path.replaceFirst(".*/", "").replaceFirst("[.]java$", "");
-            if (path.endsWith(".java") && ("/" + path).contains("/exercises/")) {
-                named.putIfAbsent(simple, text);
-            } else if (path.endsWith(".java") && !OTHER_PACKAGE.matcher(text).find()) {
-                others.putIfAbsent(simple, text);
-            }
-        });
-        return named.isEmpty() ? others : named;
+        List<String> classes = files.keySet().stream().filter(path -> path.matches("(?i).*[.]java")).sorted(DEPTH)
+                .toList();
+        List<String> named = classes.stream().filter(path -> ("/" + path).contains("/exercises/")).toList();
+        return (named.isEmpty() ? classes.stream().filter(path -> !OTHER_PACKAGE.matcher(files.get(path).text).find())
+                : named.stream()).collect(Collectors.toMap(path -> path.replaceAll(".*/|[.]\\w+$", ""), path ->
+                files.get(path).text, (first, deeper) -> first, TreeMap::new));
     }
 
     /**
-     * Writes the answers and the YAML files below their folder.
-     *
-     * @param folder a new folder
-     * @return the file of the answers there, which may be missing
-     * @throws IOException if something cannot be written
+     * @param path a path, as an answer names it: from the folder of the answers
+     * @return the contents of this file
+     * @throws InvalidInputException if it was not handed in
      */
-    Path copyAnswers(Path folder) throws IOException {
-        Optional<String> answers = files.keySet().stream().filter(path -> path.matches("(.*/)?" + ANSWERS))
-                .min(DEPTH);
-        String base = answers.map(path -> path.substring(0, path.length() - ANSWERS.length())).orElse("/");
-        for (Map.Entry<String, byte[]> file : files.entrySet()) {
-            String path = file.getKey();
-            if (!path.startsWith(base) || path.endsWith(".java") || !isPath(path)) {
-                continue;
-            }
-            Path copy = folder.resolve(path.substring(base.length())).normalize();
-            if (copy.startsWith(folder)) {
-                Files.createDirectories(copy.getParent());
-                Files.write(copy, file.getValue());
-            }
-        }
-        return folder.resolve(ANSWERS);
+    byte[] file(String path) {
+        String wanted = ClassList.fold(answers().get(0).replaceFirst("[^/]*$", "") + path.replace('\\', '/')
+                .replaceFirst("^([.]/)+", ""));
+        return files.keySet().stream().filter(file -> ClassList.fold(file).equals(wanted)).findFirst().map(file ->
+                files.get(file).text.getBytes(StandardCharsets.UTF_8)).orElseThrow(() -> new InvalidInputException(path
+                + ": there is no such file in the hand-in"));
     }
 }

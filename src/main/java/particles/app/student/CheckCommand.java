@@ -5,8 +5,6 @@ import java.nio.file.Files;
 import particles.app.cli.ExitCode;
 import particles.app.cli.ExitCode.Failure;
 import particles.app.cli.ResultsCommand;
-import particles.teaching.Finding;
-import particles.teaching.Finding.Kind;
 
 /** A command that checks a student's class, in a process of its own. */
 abstract class CheckCommand extends ResultsCommand {
@@ -18,11 +16,6 @@ abstract class CheckCommand extends ResultsCommand {
         Check check = check();
         Files.deleteIfExists(check.report(getFolder()));
         StudentProcess.Outcome outcome = StudentProcess.run(check, getFolder(), StudentLoader.installed());
-        if (!Files.exists(check.report(getFolder()))) {         // its process was ended before it wrote one
-            CheckRun.write(check, CheckRun.unfinished(check, new Finding(outcome.code() == ExitCode.STOPPED
-                    ? Kind.UNDECIDED : Kind.FAILURE, String.join(" ", outcome.lines()).replaceFirst(
-                    "^(wrong|not decided): ", ""))), getFolder());
-        }
         outcome.lines().forEach(lines::println);
         if (outcome.code() != ExitCode.DONE) {
             throw new Failure(outcome.code(), "");

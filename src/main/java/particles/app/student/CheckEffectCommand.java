@@ -49,7 +49,7 @@ public final class CheckEffectCommand extends CheckCommand {
             if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
                 run.run();
                 return law.apply(particles);
-            }), () -> PlainRuns.forces(law))) {
+            }), before -> PlainRuns.effect(law, before))) {
                 findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces"
                         + " differ from those in this check"));
             }

@@ -6,9 +6,11 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.student.Check.Checked;
 import particles.output.files.OutputException;
@@ -20,7 +22,6 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
-import particles.view.DataTable;
 
 /**
  * Makes a check with a limit on its CPU time, and writes its report.
@@ -32,8 +33,7 @@ import particles.view.DataTable;
 record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> screen) {
     private static final double SECONDS = 7;
     private static final int MOST_LINES = 12;
-    private static final int MOST_MISTAKES = 4;
-    private static final int MOST_NOTES = 2;
+    private static final int MOST_FINDINGS = 6;
     private static final int LONGEST = 100;
 
     /** @return the verdict */
@@ -44,20 +44,17 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         PrintStream before = System.out;
         Printed printed = new Printed();
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
-        Outcome<Checked> outcome;
-        try {
-            outcome = guard.run(check::make);
-        } finally {
-            System.setOut(before);
-            hook.close();
-        }
+        Outcome<Checked> outcome = guard.run(check::make);      // which throws nothing
+        System.setOut(before);
+        hook.close();
         outcome.failure().ifPresent(failure -> giveUp(failure, printed.text()));
         return show(outcome.value().orElseThrow(), printed.text());
     }
 
     /** Reports a check that did not finish, and ends the process, in which the class's thread may still be running. */
     private void giveUp(Finding failure, String printed) {
-        Runtime.getRuntime().halt(show(unfinished(check, failure), printed).code());
+        Runtime.getRuntime().halt(show(new Checked(check.subject(), "The check did not finish.", List.of(failure)),
+                printed).code());
     }
 
     /** Writes the report and shows the verdict. */
@@ -66,7 +63,7 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
                 !finding.isWrong() || finding.kind() == Kind.UNDECIDED) ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            lines = lines(checked, printed, write(check, checked, folder));
+            lines = lines(checked, printed, write(checked));
         } catch (OutputException e) {
             lines = List.of(e.getMessage());
             code = ExitCode.TROUBLE;
@@ -75,17 +72,8 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         return code;
     }
 
-    /** The result of a check that was ended before it wrote a report. */
-    static Checked unfinished(Check check, Finding failure) {
-        return new Checked(check.subject(), "The check did not finish.", List.of(failure));
-    }
-
-    /**
-     * Writes the report.
-     *
-     * @return its file
-     */
-    static Path write(Check check, Checked checked, Path folder) {
+    /** Writes the report, and returns its file. */
+    private Path write(Checked checked) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {
             new ResultPage(check.command(), checked.subject() + ": " + checked.identity(), checked.paragraphs(),
@@ -94,14 +82,7 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         return report;
     }
 
-    /**
-     * The output on the screen: the verdict, then mistakes, notes and numbers, in at most twelve lines.
-     *
-     * @param checked the result of the check
-     * @param printed the text that the class printed
-     * @param report  the file of the whole report
-     * @return the lines
-     */
+    /** The output on the screen, in at most twelve lines: the verdict, mistakes and notes, numbers, and the report. */
     private static List<String> lines(Checked checked, String printed, Path report) {
         Optional<Finding> unwritten = checked.findings().stream().filter(finding -> finding.kind() == Kind.UNWRITTEN)
                 .findFirst();
@@ -110,20 +91,14 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         }
         List<String> lines = new ArrayList<>(List.of(checked.subject() + ": " + (checked.identity().equals(
                 Checked.NOT_CHECKED) ? "" : verdict(checked.findings())) + checked.identity()));
-        add(lines, checked.findings().stream().filter(Finding::isWrong).toList(), MOST_MISTAKES);
-        add(lines, checked.findings().stream().filter(finding -> !finding.isWrong()).toList(), MOST_NOTES);
-        List<String> last = new ArrayList<>();
-        if (!printed.isBlank()) {
-            List<String> text = printed.strip().lines().toList();
-            String first = text.get(0).length() > LONGEST ? text.get(0).substring(0, LONGEST) + "..." : text.get(0);
-            last.add("the class printed: " + first + (text.size() > 1 ? " (and more lines)" : ""));
-        }
-        last.add("report: " + report);
-        List<DataTable> tables = checked.tables();
-        int room = MOST_LINES - lines.size() - last.size();
-        if (!tables.isEmpty() && room > 1) {
-            lines.addAll(TableText.plain(tables.get(0)).stream().limit(room).toList());
-        }
+        checked.findings().stream().sorted(Comparator.comparing(Finding::isWrong).reversed()).limit(MOST_FINDINGS)
+                .map(CheckRun::line).forEach(lines::add);
+        List<String> text = printed.strip().lines().toList();
+        List<String> last = Stream.concat(text.stream().limit(1).map(first -> "the class printed: " + first.substring(0,
+                Math.min(LONGEST, first.length())) + (text.size() > 1 ? " (and more lines)" : "")), Stream.of("report: "
+                + report)).toList();
+        checked.tables().stream().limit(1).flatMap(table -> TableText.plain(table).stream()).limit(MOST_LINES
+                - lines.size() - last.size()).forEach(lines::add);
         lines.addAll(last);
         return lines;
     }
@@ -143,13 +118,6 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
             case NAME -> "PROMISE, ";
             default -> "WRONG, ";
         } + finding;
-    }
-
-    private static void add(List<String> lines, List<Finding> findings, int most) {
-        findings.stream().limit(most).map(CheckRun::line).forEach(lines::add);
-        if (findings.size() > most) {
-            lines.add(lines.remove(lines.size() - 1) + " (" + (findings.size() - most) + " more in the report)");
-        }
     }
 
     /** Keeps only the beginning of a class's output. */

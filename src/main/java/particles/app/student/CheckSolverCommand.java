@@ -76,9 +76,9 @@ public final class CheckSolverCommand extends CheckCommand {
         if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
             run.run();
             throw new IllegalStateException("the check itself is not wanted");
-        }, name), () -> PlainRuns.ends(full))) {
+        }, name), before -> PlainRuns.solver(maker, before))) {
             return new Checked(name, verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                    "outside this check, or after many calls, its steps differ from those in this check")));
+                    "outside this check, or after many steps, its steps differ from those in this check")));
         }
         List<Finding> findings = new ArrayList<>(verdict.findings());
         Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();

@@ -1,6 +1,7 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
+import java.util.Optional;
 import particles.app.cli.ProgramCommand;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.exercises.Draw;
@@ -17,7 +18,7 @@ import picocli.CommandLine.Option;
 @Command(name = "exercise", description = "Shows an exercise with numbers of your own, or marks your answer.")
 public final class ExerciseCommand extends ProgramCommand {
     @Option(names = "--number", paramLabel = "NUMBER", required = true, description = "Which exercise.")
-    private String number;
+    private int number;
 
     @Option(names = "--student", paramLabel = "ID", required = true,
             description = "Your id, from which your numbers come.")
@@ -25,19 +26,18 @@ public final class ExerciseCommand extends ProgramCommand {
 
     @Option(names = "--answer", paramLabel = "ANSWER",
             description = "Your answer: a number, or a scene's file in the last exercise.")
-    private String answer;
+    private Optional<String> answer;
 
     @Override
     protected void read(Mistakes mistakes) {
         mistakes.check(() -> {
-            int count = Exercises.ALL.size();           // picocli leaves an option null that is missing
-            if (number != null && (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1
-                    || Integer.parseInt(number) > count)) {
+            int count = Exercises.ALL.size();
+            if (number < 1 || number > count) {
                 throw wrong("number", "'" + number + "' is not an exercise; they are numbered 1 to " + count);
             }
         });
         mistakes.check(() -> {
-            if (student != null && student.isBlank()) {
+            if (student.isBlank()) {
                 throw wrong("student", "the id is empty");
             }
         });
@@ -45,14 +45,14 @@ public final class ExerciseCommand extends ProgramCommand {
 
     @Override
     public void run(PrintWriter out) {
-        Exercise exercise = Exercises.ALL.get(Integer.parseInt(number) - 1);
-        Draw draw = new Draw(student, Integer.parseInt(number));
-        if (answer == null) {                           // picocli leaves an option null that was not given
+        Exercise exercise = Exercises.ALL.get(number - 1);
+        Draw draw = new Draw(student, number);
+        if (answer.isEmpty()) {
             out.println(number + ". " + exercise.title());
             out.println(exercise.text(draw));
             return;
         }
-        Mark mark = exercise.mark(draw, answer);
+        Mark mark = exercise.mark(draw, answer.get());
         if (!mark.right()) {
             throw new InvalidInputException(mark.lines());
         }

@@ -7,7 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Locale;
+import java.util.Optional;
 import particles.app.cli.ProgramCommand;
+import particles.app.student.SolverSkeleton.Base;
+import particles.app.student.SolverSkeleton.Example;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.effects.EffectSkeleton;
 import picocli.CommandLine.Command;
@@ -20,7 +23,7 @@ import picocli.CommandLine.Option;
 public abstract class NewClassCommand extends ProgramCommand {
     @Option(names = "--class", paramLabel = "NAME",
             description = "The name of the class, such as HeunSolver or MyForce.")
-    private String className;
+    private Optional<String> className;
 
     private final Path folder;
     private final String check;
@@ -38,8 +41,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     }
 
     /** @return the class's name if none is given; empty if one has to be */
-    String usualName() {
-        return "";
+    Optional<String> usualName() {
+        return Optional.empty();
     }
 
     /** @return the class's text */
@@ -47,13 +50,9 @@ public abstract class NewClassCommand extends ProgramCommand {
 
     @Override
     public final void run(PrintWriter out) throws IOException {
-        String name = (className == null ? usualName() : className).replaceFirst("^exercises[.]", "");
-        if (name.isEmpty()) {
-            throw new InvalidInputException("option " + getStyle().option("class") + " needs a value: "
-                    + getStyle().option("class") + "=NAME");
-        }
+        String name = className.or(this::usualName).orElse("").replaceFirst("^exercises[.]", "");
         if (!name.matches("[A-Z]\\w*")) {
-            throw wrong("class", "'" + className + "' is not a class name; use a capital, then letters and digits");
+            throw wrong("class", "'" + name + "' is not a class name; use a capital, then letters and digits");
         }
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);
@@ -73,11 +72,11 @@ public abstract class NewClassCommand extends ProgramCommand {
     public static final class NewSolver extends NewClassCommand {
         @Option(names = "--from", paramLabel = "CLASS", description = "What it extends: DESolver, as on the slides, or"
                 + " FixedStepSolver, which has helpers for formulas.")
-        private String from = SolverSkeleton.SLIDES_WAY;
+        private Base from = Base.DESOLVER;
 
         @Option(names = "--example", paramLabel = "METHOD",
                 description = "Writes a whole small solver to compare with: euler, heun or midpoint.")
-        private String example;
+        private Optional<Example> example;
 
         /** Creates the command; see {@link NewClassCommand}. */
         public NewSolver(Path folder) {
@@ -85,22 +84,15 @@ public abstract class NewClassCommand extends ProgramCommand {
         }
 
         @Override
-        String usualName() {
-            return example == null || example.isEmpty() ? "" : example.substring(0, 1).toUpperCase(Locale.ROOT)
-                    + example.substring(1) + "Example";
+        Optional<String> usualName() {
+            return example.map(method -> method.name().charAt(0) + method.name().substring(1).toLowerCase(Locale.ROOT)
+                    + "Example");
         }
 
         @Override
         String text(String name) {
-            if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
-                throw wrong("from", "'" + from + "' cannot be extended here; allowed are: "
-                        + String.join(", ", SolverSkeleton.SOLVER_BASES));
-            }
-            if (example != null && !SolverSkeleton.examples().contains(example)) {       // picocli leaves it null
-                throw wrong("example", "there is no example '" + example + "'; allowed are: "
-                        + String.join(", ", SolverSkeleton.examples()));
-            }
-            return example == null ? SolverSkeleton.solver(name, from) : SolverSkeleton.example(name, example);
+            return example.map(method -> SolverSkeleton.example(name, method)).orElseGet(() ->
+                    SolverSkeleton.solver(name, from));
         }
     }
 

@@ -1,14 +1,11 @@
 package particles.app.student;
 
-import java.util.List;
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import particles.teaching.solvers.SolverCheck;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
-public final class SolverSkeleton {
+final class SolverSkeleton {
     private static final String MIDPOINT = """
                     // 1. deltaS = deltaT * derivative at (s, t)                 the Euler step
                     // 2. gMid   = derivative at (s + deltaS/2, t + deltaT/2)    after half the time and half of deltaS
@@ -31,11 +28,6 @@ public final class SolverSkeleton {
                     // 2. perhaps further derivatives, each at a trial state and its own time
                     // 3. new s = s + deltaT * a mean of the derivatives; the weights add up to 1
             """;
-
-    /** The class that solvers extend on the slides. */
-    public static final String SLIDES_WAY = "DESolver";
-    /** The classes that a solver may extend to begin with. */
-    public static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
 
     private static final String ON_DE_SOLVER = """
             package exercises;
@@ -82,14 +74,28 @@ public final class SolverSkeleton {
             }
             """;
 
-    /** What follows the derivative in the example of each method, its name first. */
-    private static final Map<String, String> EXAMPLES = Map.of("euler", """
+    /** The class that a solver extends to begin with; the first as on the slides. */
+    enum Base {
+        DESOLVER(ON_DE_SOLVER),
+        FIXEDSTEPSOLVER(ON_FIXED_STEP_SOLVER);
+
+        private final String text;
+
+        Base(String text) {
+            this.text = text;
+        }
+    }
+
+    /** A whole solver, to compare one's own with; the text is what follows the derivative. */
+    enum Example {
+        EULER("""
                 for (int i = 0; i < n; i++) {
                     state[i] += deltaT * dSdt[i];
                 }
                 source.setState(state);                     // the new state, at time t + deltaT
                 source.incTime(deltaT);
-        """, "midpoint", """
+        """),
+        MIDPOINT("""
                 double[] middle = new double[n];
                 for (int i = 0; i < n; i++) {
                     middle[i] = state[i] + deltaT / 2 * dSdt[i];
@@ -102,7 +108,8 @@ public final class SolverSkeleton {
                 }
                 source.setState(state);
                 source.incTime(deltaT / 2);                 // t + deltaT
-        """, "heun", """
+        """),
+        HEUN("""
                 double[] trial = new double[n];
                 for (int i = 0; i < n; i++) {
                     trial[i] = state[i] + deltaT * dSdt[i];
@@ -117,38 +124,38 @@ public final class SolverSkeleton {
                 source.setState(state);                     // the clock is at t + deltaT already
         """);
 
+        private final String text;
+
+        Example(String text) {
+            this.text = text;
+        }
+    }
+
     private SolverSkeleton() {
     }
 
-    /** @return the names of the methods with an example */
-    static Set<String> examples() {
-        return new TreeSet<>(EXAMPLES.keySet());
-    }
-
     /**
-     * @param name   the class's name
-     * @param method one of {@link #examples()}
-     * @return the text of a whole solver, to compare one's own with
+     * @param name    the class's name
+     * @param example the method
+     * @return the text of a whole solver
      */
-    static String example(String name, String method) {
-        String outline = ON_DE_SOLVER.replaceFirst("(?s)OUTLINE.*add up to deltaT\n", Matcher.quoteReplacement(
-                EXAMPLES.get(method)));
-        return outline.replace("My own solver", "An example: " + method).replace("NAME", name);
+    static String example(String name, Example example) {
+        return ON_DE_SOLVER.replaceFirst("(?s)OUTLINE.*add up to deltaT\n", Matcher.quoteReplacement(example.text))
+                .replace("My own solver", "An example: " + example.name().toLowerCase(Locale.ROOT))
+                .replace("NAME", name);
     }
 
     /**
      * @param name the class's name; one that declares a method of the slides, as MyRK4Solver does, brings its outline
-     * @param base the class that it extends, one of {@link #SOLVER_BASES}
+     * @param base the class that it extends
      * @return the text of a solver
      */
-    public static String solver(String name, String base) {
+    static String solver(String name, Base base) {
         String outline = SolverCheck.declared(name).map(method -> switch (method) {
             case MIDPOINT, RK2 -> MIDPOINT;
             case RK4 -> RK4;
             case SYMPLECTIC_EULER, VERLET -> SIMPLE;
             default -> GENERAL;
         }).orElse(GENERAL);
-        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", outline).replace(
-                "NAME", name);
     }
 }

@@ -1,17 +1,13 @@
 package particles.teaching.exercises;
 
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import particles.spec.Key;
 import particles.spec.MappingType;
 import particles.spec.Reading;
-import particles.spec.SourceText;
 import particles.spec.TextType;
 import particles.spec.messages.Problems;
 
@@ -31,19 +27,14 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
     /**
      * Reads the file line by line, so that a mistake costs no other answer.
      *
-     * @param file the file of the answers, which is not to be a link
+     * @param name the file's name, for the problems
+     * @param text its contents
      * @return the answers and problems
      */
-    public static AnswersFile read(Path file) {
-        String name = file.toString().replace('\\', '/');
-        if (Files.isSymbolicLink(file)) {
-            return new AnswersFile(Map.of(), List.of(name + ": this is a link; hand in the file itself"));
-        }
+    public static AnswersFile read(String name, String text) {
         Problems problems = new Problems();
-        Optional<byte[]> bytes = SourceText.read(file, new Reading(name, problems));
-        String text = new String(bytes.orElse(new byte[0]), StandardCharsets.ISO_8859_1);       // keeps each byte
         Map<Integer, String> answers = new TreeMap<>();
-        List<String> lines = text.replaceFirst("^\u00ef\u00bb\u00bf", "").lines().limit(MOST_LINES).toList();
+        List<String> lines = text.lines().limit(MOST_LINES).toList();
         for (int n = 0; n < lines.size(); n++) {
             if (!lines.get(n).matches("\\s*(#.*|---.*|[.]{3})?")) {
                 add("\n".repeat(n) + lines.get(n), new Reading(name, problems), answers);
@@ -53,7 +44,7 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
     }
 
     private static void add(String text, Reading in, Map<Integer, String> answers) {
-        FORMAT.read(text.getBytes(StandardCharsets.ISO_8859_1), in).ifPresent(found -> KEYS.forEach(key ->
+        FORMAT.read(text.getBytes(StandardCharsets.UTF_8), in).ifPresent(found -> KEYS.forEach(key ->
                 found.find(key).ifPresent(answer -> {
                     if (answers.putIfAbsent(Integer.valueOf(key.name()), answer) != null) {     // null: the first one
                         in.problems().add(found.place(key), "'" + key.name() + "' appears twice; the first one counts");

@@ -1,6 +1,9 @@
 package particles.teaching.exercises;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Function;
+import particles.scene.SceneReader;
 
 /** An exercise: one task with the student's own numbers. */
 public interface Exercise {
@@ -17,9 +20,16 @@ public interface Exercise {
     /**
      * @param draw   the student's numbers
      * @param answer the answer as the student typed it
+     * @param files  reads the file that an answer names, or throws an
+     *               {@link particles.spec.messages.InvalidInputException}
      * @return whether the answer is right, and if not, the likely mistake
      */
-    Mark mark(Draw draw, String answer);
+    Mark mark(Draw draw, String answer, Function<String, byte[]> files);
+
+    /** The same, with files relative to the working directory. */
+    default Mark mark(Draw draw, String answer) {
+        return mark(draw, answer, path -> SceneReader.bytes(Path.of(path)));
+    }
 
     /**
      * The mark of an answer.

@@ -95,7 +95,7 @@ public record NumericExercise(String title, String unit, double lowest, double h
     }
 
     @Override
-    public Mark mark(Draw draw, String answer) {
+    public Mark mark(Draw draw, String answer, Function<String, byte[]> files) {
         return mark(worked(draw), answer);
     }
 

@@ -2,11 +2,11 @@ package particles.teaching.exercises;
 
 import deSolvers.catalog.SolverCatalog;
 import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoublePredicate;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
@@ -79,13 +79,14 @@ final class SceneDesign implements Exercise {
     }
 
     @Override
-    public Mark mark(Draw draw, String answer) {
+    public Mark mark(Draw draw, String answer, Function<String, byte[]> files) {
         if (answer.isBlank()) {
             return Mark.wrong("The answer is empty; the path of a scene file is wanted, such as my-scene.yaml.");
         }
         Scene scene;
         try {
-            SceneDescription description = SceneReader.read(Path.of(answer.strip()));
+            SceneDescription description = SceneReader.read(answer.strip().replace('\\', '/'),
+                    files.apply(answer.strip()));
             if (!SolverCatalog.names().contains(description.solver())) {
                 return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: "
                         + description.solver() + ")");

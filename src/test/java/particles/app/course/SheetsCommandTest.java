@@ -71,7 +71,7 @@ class SheetsCommandTest {
             {"nobody", "key.csv", "undecided 2."}, {"s1", "", "undecided 2."}};
         for (String[] row : rows) {
             String screen = run(row[2].startsWith("mark") ? ExitCode.DONE : ExitCode.BAD_INPUT, "grade", "--student="
-                    + row[0], "--answers=" + folder.resolve("answers.yaml"), "--assignment="
+                    + row[0], "--folder=" + folder, "--assignment="
                     + folder.resolve("assignment.yaml"), row[1].isEmpty() ? "--out=" + folder.resolve("grade")
                     : "--key=" + folder.resolve(row[1]));
             assertHas(screen, row[2]);

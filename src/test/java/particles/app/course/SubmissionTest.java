@@ -1,21 +1,24 @@
 package particles.app.course;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static particles.Texts.assertHas;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.spec.messages.InvalidInputException;
 
 /** Of a hand-in, only the student's own files count. */
 class SubmissionTest {
     private static final List<String> FILES = List.of("__MACOSX/exercises/._HeunSolver.java", ".git/Other.java",
             "src/test/java/exercises/Other.java", "src/main/java/particles/teaching/exercises/Other.java",
-            "exercises/backup/HeunSolver.java", "exercises/HeunSolver.java", "answers.yaml", "swing.yml");
+            "exercises/backup/HeunSolver.java", "exercises/HeunSolver.java", "work/answers.yaml", "work/Swing.yml");
 
     @Test
     void filesOfTheProjectAndOfTheSystemAreLeftOut(@TempDir Path folder) throws Exception {
@@ -24,32 +27,36 @@ class SubmissionTest {
             Files.createDirectories(handIn.resolve(name).getParent());
             Files.writeString(handIn.resolve(name), name);
         }
-        Submission read = Submission.read(handIn);
+        Submission read = Submission.read("hw1-mary-ann", List.of(handIn));
         assertEquals(Set.copyOf(FILES.subList(4, 8)), read.files().keySet());
         assertEquals(Map.of("HeunSolver", "exercises/HeunSolver.java"), read.sources());
-        assertEquals(List.of(), read.problems());
-        read.copyAnswers(folder.resolve("copy"));
-        assertEquals("swing.yml", Files.readString(folder.resolve("copy/swing.yml")));
-        assertEquals(List.of(0, 3, 8), List.of(read.longestOf(List.of("bob", "")), read.longestOf(List.of("ann")),
-                read.longestOf(List.of("ann", "mary-ann"))));
+        assertEquals(List.of(List.of(), List.of()), List.of(read.damaged(), read.remarks()));
+        for (String path : List.of("Swing.yml", "./swing.yml")) {
+            assertEquals("work/Swing.yml", new String(read.file(path), StandardCharsets.UTF_8));
+        }
+        for (String path : List.of("../exercises/HeunSolver.java", "/etc/passwd", "none.yaml")) {
+            assertHas(assertThrows(InvalidInputException.class, () -> read.file(path)).getMessage(), path
+                    + ": there is no such file in the hand-in");
+        }
     }
 
     @Test
-    void filesThatAreTooManyAreTold(@TempDir Path folder) throws Exception {
+    void filesThatAreTooManyAreReported(@TempDir Path folder) throws Exception {
         for (int n = 0; n < 1002; n++) {
             Files.createFile(folder.resolve("scene" + n + ".yaml"));
         }
-        assertEquals(List.of("there are more than 1000 YAML and Java files; the others were not read"),
-                Submission.read(folder).problems());
+        assertEquals(List.of("scene998.yaml is not read", "scene999.yaml is not read"),
+                Submission.read("", List.of(folder)).remarks());
     }
 
-    /** As a name with an umlaut in a zip is where the locale is C. */
     @Test
-    void aFileThatCannotHaveItsNameHereIsTold(@TempDir Path folder) throws Exception {
-        Submission read = new Submission("bob", Map.of("a\0.yaml", new byte[0], "answers.yaml", new byte[0],
-                "A\0.java", new byte[0]), Instant.EPOCH);
-        assertEquals(List.of("no file of this machine can have the name a\0.yaml"), read.problems());
-        read.copyAnswers(folder);
-        assertEquals(Set.of("answers.yaml"), Set.of(folder.toFile().list()));
+    void linksAreNotFollowed(@TempDir Path folder) throws Exception {
+        Path secret = Files.writeString(folder.resolve("secret.yaml"), "2: 1\n");
+        Path root = Files.createDirectories(folder.resolve("in/one"));
+        OtherSystems.link(root.resolve("answers.yaml"), secret);
+        OtherSystems.link(root.resolve("MySolver.java"), secret);
+        OtherSystems.link(folder.resolve("in/two"), root);
+        assertEquals(Map.of(), Submission.read("", List.of(root)).files());
+        assertEquals(Set.of("one"), Submission.list(folder.resolve("in")).keySet());
     }
 }

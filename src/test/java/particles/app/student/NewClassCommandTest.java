@@ -150,8 +150,8 @@ class NewClassCommandTest {
             My Solver |                  | class: 'My Solver' is not a class name
             ../Up     |                  | class: '../Up' is not a class name
             a.B       |                  | class: 'a.B' is not a class name
-            Mine      | --example=rk5    | example: there is no example 'rk5'; allowed are: euler, heun, midpoint
-            Mine      | --from=RK4Solver | from: 'RK4Solver' cannot be extended here; allowed are: DESolver, Fixed
+            Mine      | --example=rk5    | example: expected one of [EULER, MIDPOINT, HEUN]
+            Mine      | --from=RK4Solver | from: expected one of [DESOLVER, FIXEDSTEPSOLVER]
             """)
     void whatCannotBeWrittenIsRefused(String name, String option, String why) {
         String[] options = option == null ? new String[0] : new String[] {option};     // null: an empty cell
