@@ -77,8 +77,8 @@ record ClassList(List<String> head, Map<String, Student> students, List<String> 
 
         /** How well a name means this student: all of it, or the longest word that it ends in, as assignment-login. */
         int match(String nameKey) {
-            return keys.contains(nameKey) ? Integer.MAX_VALUE : keys.stream().filter(key -> nameKey.endsWith("-" + key))
-                    .mapToInt(String::length).max().orElse(0);
+            return keys.contains(nameKey) ? Integer.MAX_VALUE : keys.stream().filter(nameKey::endsWith).mapToInt(
+                    String::length).max().orElse(0);
         }
     }
 
@@ -139,7 +139,7 @@ record ClassList(List<String> head, Map<String, Student> students, List<String> 
         String whole = name.isEmpty() ? (cell(cells, Column.FIRST) + " " + cell(cells, Column.LAST)).strip() : name;
         return new Student(id < cells.size() ? cells.get(id) : "", whole, cell(cells, Column.MAIL), cell(cells,
                 Column.NUMBER).replaceAll("\\D", ""), cells, Stream.concat(cells.stream(), Stream.of(whole))
-                .map(ClassList::key).filter(key -> !key.isEmpty()).toList());
+                .map(ClassList::key).filter(key -> key.length() > 1).toList());
     }
 
     /** @return the cell of a line in a column; empty if there is none */
@@ -153,10 +153,13 @@ record ClassList(List<String> head, Map<String, Student> students, List<String> 
         return Normalizer.normalize(text, Normalizer.Form.NFKC).toLowerCase(Locale.ROOT).strip();
     }
 
-    /** A name without accents, signs that Moodle leaves out, and the order of its words: "Berg, Dora" is Dora Berg. */
+    /**
+     * A name without accents, signs that Moodle leaves out, and the order of its words: "Berg, Dora" is Dora Berg. It
+     * begins with a dash, so that assignment-login ends in the key of the login.
+     */
     private static String key(String name) {
         return Stream.of(Normalizer.normalize(fold(name), Normalizer.Form.NFKD).replaceAll("[\\p{M}&<>\"'`|:/]", "")
-                .split("[\\s,]+")).sorted().collect(Collectors.joining(" "));
+                .split("[\\s,]+")).sorted().collect(Collectors.joining(" ", "-", ""));
     }
 
     /**
