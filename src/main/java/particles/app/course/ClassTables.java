@@ -54,7 +54,7 @@ final class ClassTables {
     ClassTables(Assignment assignment, ClassList list, List<Result> all, GradeClassCommand.Attempt attempt) {
         this.assignment = assignment;
         this.list = list;
-        Comparator<Result> byDate = Comparator.comparing(Result::instant);
+        Comparator<Result> byDate = Comparator.comparing(Result::instant).thenComparing(Result::handIn);
         Comparator<Result> order = attempt == GradeClassCommand.Attempt.BEST ? Comparator.comparingDouble(
                 Result::points).thenComparing(byDate) : byDate;
         results = all.stream().collect(Collectors.toMap(result -> result.student() + '\0' + result.state(),

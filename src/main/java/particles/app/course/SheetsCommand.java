@@ -45,7 +45,7 @@ public final class SheetsCommand extends ResultsCommand {
             """;
 
     @Option(names = "--students", paramLabel = "FILE", required = true,
-            description = "A CSV file with a header; the first cell of each line is an id.")
+            description = "The list of students, as for gradeClass.")
     private Path students;
 
     @Mixin

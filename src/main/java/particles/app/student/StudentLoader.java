@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.net.URI;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -23,6 +22,7 @@ import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
 import particles.app.student.Javac.Source;
+import particles.spec.SourceText;
 
 /**
  * Class loader that compiles students' classes in memory on demand, each by itself, so that a class that does not
@@ -71,7 +71,7 @@ public final class StudentLoader extends ClassLoader {
                 String name = file.getFileName().toString().replace(JAVA, "");
                 if (name.chars().allMatch(Character::isJavaIdentifierPart) && Files.isRegularFile(file,
                         LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= LARGEST) {
-                    sources.put(name, new String(Files.readAllBytes(file), StandardCharsets.UTF_8));
+                    sources.put(name, SourceText.lenient(Files.readAllBytes(file)));
                 }
             }
             return sources;
