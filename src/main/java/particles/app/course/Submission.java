@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -67,7 +68,8 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     /**
      * @param folder what was downloaded
      * @return the paths of each hand-in, by the name of the folder or archive, or how Moodle's names of its files begin
-     * @throws IOException if the folder cannot be read
+     * @throws IOException           if the folder cannot be read
+     * @throws InvalidInputException if Java cannot write a name in this locale
      */
     static Map<String, List<Path>> list(Path folder) throws IOException {
         try (Stream<Path> all = Files.list(folder)) {
@@ -79,7 +81,12 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     }
 
     private static String nameOf(Path path) {
-        return path.getFileName().toString();
+        String name = path.getFileName().toString();
+        try {
+            return Path.of(name).toString();
+        } catch (InvalidPathException e) {              // where the locale is C, only ASCII can be in a name
+            throw new InvalidInputException(name + ": Java cannot write this name; set LC_ALL=C.UTF-8");
+        }
     }
 
     private static boolean isFolder(Path path) {
