@@ -73,6 +73,9 @@ public final class GradeClassCommand extends ResultsCommand {
             if (part.size() != 2 || part.get(0) < 1 || part.get(0) > part.get(1)) {
                 throw wrong("part", "has to be a part of a class, such as 3/16");
             }
+            if (part.get(1) > 1 && source.folder.isEmpty()) {
+                throw wrong("part", "is for marking; all parts are collected together");
+            }
         });
     }
 
@@ -92,7 +95,7 @@ public final class GradeClassCommand extends ResultsCommand {
         }
         try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
             List<Result> results = new ArrayList<>(source.folder.isPresent() ? marked(list, assignment, out)
-                    : collected(source.collect.orElseThrow()));
+                    : collected(source.collect.orElseThrow(), list));
             Set<String> there = results.stream().map(result -> ClassList.fold(result.student())).collect(Collectors
                     .toSet());
             Submission nothing = new Submission("");
@@ -110,11 +113,14 @@ public final class GradeClassCommand extends ResultsCommand {
     }
 
     /** Finds the results in a folder; a damaged one is a student's whose marks cannot be read. */
-    private static List<Result> collected(Path folder) throws IOException {
+    private static List<Result> collected(Path folder, ClassList list) throws IOException {
         try (Stream<Path> all = Files.walk(folder)) {
-            return all.filter(file -> file.endsWith(Result.FILE)).sorted().map(file -> Result.read(file).orElseGet(() ->
-                    Result.of(file.getParent().getFileName().toString(), State.UNREADABLE, new Submission(""), "",
-                    List.of(Result.FILE + " is damaged"), List.of()))).toList();
+            return all.filter(file -> file.endsWith(Result.FILE)).sorted().map(file -> Result.read(file).orElseGet(
+                    () -> {
+                        Submission handIn = new Submission(file.getParent().getFileName().toString());
+                        return Result.of(list.owner(handIn.name()).map(ClassList.Student::id).orElse(handIn.name()),
+                                State.UNREADABLE, handIn, "", List.of(file + " is damaged"), List.of());
+                    })).toList();
         }
     }
 
@@ -122,7 +128,7 @@ public final class GradeClassCommand extends ResultsCommand {
     private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
         Function<String, List<String>> numbers = course.numbersOf(assignment);
         List<Map.Entry<String, List<Path>>> all = List.copyOf(Submission.list(source.folder.orElseThrow()).entrySet());
-        List<Submission> handIns = IntStream.iterate(part.get(0) - 1, k -> k < all.size(), k -> k + part.get(1))
+        List<Submission> handIns = IntStream.range(0, all.size()).filter(k -> k % part.get(1) == part.get(0) - 1)
                 .mapToObj(all::get).map(each -> Submission.read(each.getKey(), each.getValue())).toList();
         PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
         Map<Path, Result> results = new LinkedHashMap<>();

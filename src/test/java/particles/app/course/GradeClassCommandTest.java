@@ -194,6 +194,8 @@ class GradeClassCommandTest {
         for (String part : List.of("0/3", "4/3", "1", "1/0", "a/b", "1/2/3", "99999999999/1")) {
             assertHas(grade(ExitCode.BAD_INPUT, options("--folder=" + folder, "--part=" + part)), "option -Ppart");
         }
+        assertHas(grade(ExitCode.BAD_INPUT, options("--collect=" + folder, "--part=1/2")),
+                "option -Ppart: is for marking");
         assertHas(grade(ExitCode.BAD_INPUT, options()), "option -Pfolder needs a value");
         assertHas(grade(ExitCode.BAD_INPUT, options("--folder=a", "--collect=b")), "mutually exclusive");
         assertHas(grade(ExitCode.BAD_INPUT, options("--folder=a", "--attempt=first")), "expected one of [LAST, BEST]");

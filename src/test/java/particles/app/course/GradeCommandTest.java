@@ -79,7 +79,8 @@ class GradeCommandTest {
     }
 
     private String grade(ExitCode expected, String... more) {
-        List<String> args = new ArrayList<>(List.of("grade", "--student=" + STUDENT, "--folder=" + folder, "--out=" + folder.resolve("report")));
+        List<String> args = new ArrayList<>(List.of("grade", "--student=" + STUDENT, "--folder=" + folder,
+                "--out=" + folder.resolve("report")));
         args.addAll(List.of(more));
         return run(expected, args.toArray(new String[0]));
     }
