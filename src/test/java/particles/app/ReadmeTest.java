@@ -22,7 +22,6 @@ import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
-import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
@@ -122,15 +121,6 @@ class ReadmeTest {
                 "systemProperty '" + OptionStyle.STARTED_BY + "', 'gradle'")) {
             assertTrue(BUILD.contains(line), line);
         }
-    }
-
-    @Test
-    void theExercisesAreThoseOfTheProgram() {
-        List<String> titles = new ArrayList<>();
-        Exercises.ALL.forEach(exercise -> titles.add("(" + (titles.size() + 1) + ") " + exercise.title()));
-        assertEquals(12, titles.size());
-        String list = ": " + String.join("; ", titles) + ".";
-        assertTrue(README.replaceAll("\\s+", " ").contains(list), "README lacks" + list);
     }
 
     @Test

@@ -54,7 +54,7 @@ class StoppedTasksTest {
         switch (task) {
             case "run" -> arguments.add("--scene=" + FaultScene.write(top.resolve("scene.yaml"), 1000));
             case "checkSolver" -> arguments.add("--solver=exercises.Endless");
-            case "grade" -> arguments.add("--handin=" + handIn("ann"));
+            case "grade" -> arguments.addAll(List.of("--student=ann", "--folder=" + handIn("ann")));
             case "gradeClass" -> arguments.add("--folder=" + handIn("ann").getParent());
             default -> {
                 return arguments;

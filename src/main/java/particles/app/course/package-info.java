@@ -30,7 +30,7 @@
  *
  * <p>A large course is marked in parts, on any number of processors or machines; README's section on exercises has the
  * commands for GNU parallel and for Slurm. A part's exit code is 0 when it has marked its hand-ins, whatever the marks
- * are. A result that is damaged costs one student.
+ * are; a part that was stopped goes on where it was. A result that is damaged costs one student.
  *
  * <p>What both commands promise:
  * <ul>
