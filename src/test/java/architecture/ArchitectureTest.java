@@ -69,7 +69,7 @@ class ArchitectureTest {
                                            particles.experiments.phase particles.experiments.runs particles.lab
                                            particles.law particles.output.animation particles.output.charts
                                            particles.output.files particles.output.frames particles.output.report
-                                           particles.scene particles.scene.format particles.spec
+                                           particles.output.usd particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli
                                            particles.effects.springs particles.law
@@ -120,6 +120,8 @@ class ArchitectureTest {
             particles.output.report:       deSolvers.catalog deSolvers.text particles.output.charts
                                            particles.output.files particles.view java.awt javax.imageio
                                            com.samskivert
+            particles.output.usd:          particles particles.law particles.output.files particles.output.painters
+                                           particles.output.raster particles.view
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
                                            particles.law particles.reactions particles.view

@@ -32,6 +32,11 @@ public abstract class EffectKind extends Kind {
         return 0;
     }
 
+    /** @return the ids of particles and shapes that these values name */
+    public List<String> particles(Values values) {
+        return List.of();
+    }
+
     /** @return names of effects of which the scene must have at least one, as wind needs drag; may be empty */
     public List<String> needs() {
         return List.of();

@@ -25,7 +25,8 @@ import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
 /**
- * Checks a scene's springs, rods and wires: known and free ends, and initial velocities that respect them.
+ * Checks a scene's springs, rods, lines, faces and wires: known and free ends, and initial velocities that respect
+ * them.
  *
  * @param scene    the values in the file
  * @param problems receives the problems
@@ -45,6 +46,8 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
 
     void check() {
         withKnownEnds(SceneFormat.SPRINGS).forEach(spring -> checkEnds("spring", spring));
+        withKnownEnds(SceneFormat.LINES).forEach(line -> checkEnds("line", line));
+        scene.list(SceneFormat.FACES).stream().filter(Values::isSound).forEach(this::checkFace);
         List<Values> rods = withKnownEnds(SceneFormat.RODS);
         rods.stream().filter(rod -> checkEnds("rod", rod)).forEach(this::checkMotion);
         checkLines(rods);
@@ -55,6 +58,15 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         if (!(rods.isEmpty() && wires.isEmpty()) && settings.isSound()) {
             checkFeedback(settings.get(ConstraintDescription.FEEDBACK));
         }
+    }
+
+    private void checkFace(Values face) {
+        List<String> corners = face.get(SceneFormat.CORNERS);
+        Place place = face.place(SceneFormat.CORNERS);
+        if (Set.copyOf(corners).size() < Math.max(3, corners.size())) {
+            problems.add(place, "a face needs at least three corners, all different");
+        }
+        corners.forEach(id -> known.has(id, place));
     }
 
     private static String from(Values rod) {

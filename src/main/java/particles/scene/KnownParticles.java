@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.NamedFiles;
+import particles.scene.parts.NamedFiles.NamedFile;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -24,6 +26,7 @@ final class KnownParticles {
     private static final long MOST_SPRINGS = 10_000_000;
 
     private final Values scene;
+    private final NamedFiles files;
     private final Problems problems;
     private final Map<String, Place> ids = new HashMap<>();
     private final List<String> broken = new ArrayList<>();
@@ -31,10 +34,12 @@ final class KnownParticles {
 
     /**
      * @param scene    the values in the file
+     * @param others   finds the files that are not in the scene itself
      * @param problems receives the problems of particles and shapes
      */
-    KnownParticles(Values scene, Problems problems) {
+    KnownParticles(Values scene, NamedFiles others, Problems problems) {
         this.scene = scene;
+        files = scene.find(SceneFormat.FILES).map(KnownParticles::within).orElse(others);
         this.problems = problems;
         List<ParticleDescription> particles = readParticles();
         index = new ParticleIndex(particles, readShapes(particles.size()));
@@ -42,6 +47,12 @@ final class KnownParticles {
             rule.kind().newIds().ifPresent(key -> rule.values().find(key).ifPresent(id ->
                     take(id, rule.values().isGiven(key) ? rule.values().place(key) : rule.place())));
         }
+    }
+
+    private static NamedFiles within(Map<String, String> files) {
+        return (name, place, problems) -> files.containsKey(name) ? Optional.of(new NamedFile(name, files.get(name)))
+                : problems.add(place, "the file " + Wording.quote(name) + " is not in 'files', which has "
+                        + Wording.some(List.copyOf(files.keySet())));
     }
 
     private List<ParticleDescription> readParticles() {
@@ -73,13 +84,13 @@ final class KnownParticles {
             id.ifPresent(name -> take(name, chosen.values().place(key)));
             boolean few = count <= ShapeDescription.MOST_PARTICLES && springs <= MOST_SPRINGS;
             Optional<ShapeDescription> read = few && chosen.values().isSound()
-                    ? ShapeDescription.of(chosen, problems) : Optional.empty();
+                    ? ShapeDescription.of(chosen, files, problems) : Optional.empty();
             if (read.isEmpty()) {
                 id.ifPresent(broken::add);
                 continue;
             }
             shapes.add(read.get());
-            count += read.get().lattice().size();
+            count += read.get().layout().size();
             springs += read.get().springCount();
             if (count > ShapeDescription.MOST_PARTICLES || springs > MOST_SPRINGS) {
                 problems.add(chosen.place(), "with this shape there are " + count + " particles and " + springs
@@ -113,7 +124,8 @@ final class KnownParticles {
         return values.find(key).isPresent() && has(values.get(key), values.place(key));
     }
 
-    private boolean has(String id, Place place) {
+    /** Tests whether an id names a particle, and adds a problem if not. */
+    boolean has(String id, Place place) {
         boolean found = index.find(id).isPresent();
         String shape = ParticleIndex.shapeOf(id);
         if (found || broken.contains(id) || broken.contains(shape)) {
@@ -123,7 +135,7 @@ final class KnownParticles {
             List<String> known = ids.keySet().stream().sorted().toList();
             // the last problems are counted only
             problems.add(place, problems.isFull() ? "" : "unknown particle " + Wording.quote(id) + index.shape(shape)
-                    .map(named -> "; known in this shape: " + named.lattice().range())
+                    .map(named -> "; known in this shape: " + named.layout().range())
                     .orElseGet(() -> (known.size() > MOST_CANDIDATES ? ";" : Wording.hint(shape, known)) + " known: "
                             + Wording.some(known)));
         }

@@ -41,7 +41,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         Frames frames = scene.output().frames();
-        double trail = scene.drawing().look().style().trail();
+        double trail = scene.drawing().look().style().longestTrail();
         double samples = trail == 0 ? 0
                 : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * frames.rate() * trail);
         double pixels = (double) frames.width() * frames.height();

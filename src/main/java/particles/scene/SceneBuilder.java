@@ -19,9 +19,9 @@ import particles.rules.ExactImpacts;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
-import particles.scene.parts.Lattice;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.ParticleLayout;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.SceneAssembly;
 import particles.scene.parts.ShapeDescription;
@@ -76,6 +76,7 @@ public final class SceneBuilder {
         SpringForce springs = new SpringForce(system.getParticles());
         ParticleIndex index = scene.particles();
         List<Surface> cloths = addParticles(index, system, springs);
+        surface(scene).ifPresent(cloths::add);
         for (Values spring : scene.values().get(SceneFormat.SPRINGS)) {
             String from = spring.get(SpringDescription.FROM);
             String to = spring.get(SpringDescription.TO);
@@ -112,7 +113,7 @@ public final class SceneBuilder {
         }
         checkApart(system, scene);
         assembly.rules().forEach(simulation::addRule);
-        Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
+        Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths, scene.lines()), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
     }
@@ -129,6 +130,14 @@ public final class SceneBuilder {
                 });
             }
         }
+    }
+
+    /** The surface of the faces that the scene lists. */
+    private static Optional<Surface> surface(SceneDescription scene) {
+        int[] triangles = scene.values().get(SceneFormat.FACES).stream().map(face -> face.get(SceneFormat.CORNERS)
+                .stream().mapToInt(id -> scene.particles().find(id).orElseThrow()).toArray())
+                .flatMapToInt(Surface::triangles).toArray();
+        return triangles.length == 0 ? Optional.empty() : Optional.of(new Surface(triangles, false));
     }
 
     private static void checkOverlap(Violation overlap, SceneDescription scene) {
@@ -151,16 +160,14 @@ public final class SceneBuilder {
         List<Surface> cloths = new ArrayList<>();
         for (ShapeDescription shape : index.getShapes()) {
             int first = system.getParticles().count();
-            Lattice lattice = shape.lattice();
+            ParticleLayout layout = shape.layout();
             shape.particles().forEach(particle -> add(particle, system));
             for (SpringFamily family : shape.springs()) {
-                family.forEach(lattice, (from, to) -> springs.addSpring(first + from, first + to, family.stiffness(),
-                        lattice.position(to).minus(lattice.position(from)).length(), family.damping()));
+                layout.forEachPair(family.sort(), (from, to) -> springs.addSpring(first + from, first + to,
+                        family.stiffness(), layout.position(to).minus(layout.position(from)).length(),
+                        family.damping()));
             }
-            if (shape.surface()) {
-                cloths.add(lattice.surface(first,
-                        shape.springs().stream().anyMatch(family -> family.sort() == SpringFamily.Sort.STRUCTURAL)));
-            }
+            shape.surface(first).ifPresent(cloths::add);
         }
         return cloths;
     }

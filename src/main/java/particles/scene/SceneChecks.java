@@ -17,6 +17,7 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Drawing;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
+import particles.scene.parts.NamedFiles;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -40,11 +41,12 @@ final class SceneChecks {
 
     /**
      * @param scene    the values in the file
+     * @param files    finds the files that the scene names
      * @param problems receives the problems
      * @return the description, if there is no problem
      */
-    static Optional<SceneDescription> describe(Values scene, Problems problems) {
-        KnownParticles known = new KnownParticles(scene, problems);
+    static Optional<SceneDescription> describe(Values scene, NamedFiles files, Problems problems) {
+        KnownParticles known = new KnownParticles(scene, files, problems);
         ParticleIndex index = known.getIndex();
         RuleChecks rules = new RuleChecks(scene.list(SceneFormat.RULES), scene, problems, known);
         if (index.count() == 0 && problems.count() == 0) {
@@ -54,7 +56,7 @@ final class SceneChecks {
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
         new ConstraintChecks(scene, problems, known, index).check();
-        checkEffects(scene, problems);
+        checkEffects(scene, problems, known);
         rules.check();
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
@@ -71,7 +73,7 @@ final class SceneChecks {
                 OutputDescription.of(scene.mapping(SceneFormat.OUTPUT))));
     }
 
-    private static void checkEffects(Values scene, Problems problems) {
+    private static void checkEffects(Values scene, Problems problems, KnownParticles known) {
         List<Chosen<EffectKind>> effects = scene.list(SceneFormat.EFFECTS);
         Map<String, Place> named = new HashMap<>();
         for (Chosen<EffectKind> effect : effects) {
@@ -81,6 +83,8 @@ final class SceneChecks {
             }
         }
         for (Chosen<EffectKind> effect : effects) {
+            effect.kind().particles(effect.values()).stream().filter(id -> known.getIndex().shape(id).isEmpty())
+                    .forEach(id -> known.has(id, effect.place()));
             List<String> needs = effect.kind().needs();
             if (!needs.isEmpty() && scene.isIntact(SceneFormat.EFFECTS)     // else the missing one may be misspelt
                     && needs.stream().noneMatch(named::containsKey)) {
@@ -144,7 +148,7 @@ final class SceneChecks {
             ids.forEach(id -> {
                 double own = marks.containsKey(id) ? marks.get(id).radius() : 0;
                 marks.put(id, new ParticleMark(id, mark.colour(), mark.radius() > 0 ? mark.radius() : own,
-                        mark.label()));
+                        mark.label(), mark.trail()));
             });
         }
         ParticleStyle style = look.style();

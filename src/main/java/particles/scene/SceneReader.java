@@ -1,9 +1,14 @@
 package particles.scene;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.NamedFiles;
+import particles.scene.parts.NamedFiles.NamedFile;
 import particles.spec.ClassNames;
 import particles.spec.Reading;
 import particles.spec.SourceText;
@@ -12,6 +17,8 @@ import particles.spec.messages.Problems;
 
 /** Reads and checks scene files; reports all mistakes together, each with its line and column. */
 public final class SceneReader {
+    private static final int MOST_BYTES = Integer.MAX_VALUE - 16;           // the longest array
+
     private SceneReader() {
     }
 
@@ -35,7 +42,34 @@ public final class SceneReader {
      * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(Path file, ClassNames classes) {
-        return read(nameOf(file), bytes(file), classes);
+        return read(nameOf(file), bytes(file), classes, beside(file));
+    }
+
+    /** @return finds the files in the folder of a scene */
+    public static NamedFiles beside(Path scene) {
+        return (name, place, problems) -> {
+            Path file = scene.resolveSibling(name);
+            return SourceText.read(file, MOST_BYTES, new Reading(nameOf(file), problems)).map(bytes ->
+                    new NamedFile(nameOf(file), new String(bytes, StandardCharsets.UTF_8)));
+        };
+    }
+
+    /**
+     * @param file    a scene
+     * @param classes finds classes that the file names
+     * @return its text, followed by the files that it names, so that the text can be read alone
+     * @throws InvalidInputException with everything that is wrong with it
+     */
+    public static String withFiles(Path file, ClassNames classes) {
+        StringBuilder text = new StringBuilder(new String(bytes(file), StandardCharsets.UTF_8));
+        List<String> added = new ArrayList<>(List.of("\nfiles:\n"));
+        read(nameOf(file), bytes(file), classes, (name, place, problems) -> {
+            Optional<NamedFile> found = beside(file).read(name, place, problems);
+            found.ifPresent(one -> added.add("  '" + name + "': |2\n" + one.text().indent(4)));
+            return found;
+        });
+        added.stream().limit(added.size() > 1 ? added.size() : 0).forEach(text::append);
+        return text.toString();
     }
 
     /** @return a file's name in messages: its path, with slashes on any system */
@@ -68,9 +102,19 @@ public final class SceneReader {
 
     /** As {@link #read(String, byte[])}, with classes as in {@link #read(Path, ClassNames)}. */
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
+        return read(source, bytes, classes, (name, place, problems) -> problems.add(place,
+                "no other file can be read here; put its text under 'files'"));
+    }
+
+    /**
+     * The same, for a scene that may name files.
+     *
+     * @param files finds the files that are not in the scene itself
+     */
+    public static SceneDescription read(String source, byte[] bytes, ClassNames classes, NamedFiles files) {
         Problems problems = new Problems();
         return SceneFormat.SCENE.read(bytes, new Reading(source, problems, classes))
-                .flatMap(values -> SceneChecks.describe(values, problems))
+                .flatMap(values -> SceneChecks.describe(values, files, problems))
                 .orElseThrow(() -> new InvalidInputException(problems.lines()));
     }
 

@@ -40,12 +40,17 @@ public final class SourceText {
      * @return its bytes, or empty if a problem was reported
      */
     public static Optional<byte[]> read(Path file, Reading in) {
+        return read(file, LARGEST, in);
+    }
+
+    /** The same up to another size (bytes), and one byte more if there are more. */
+    public static Optional<byte[]> read(Path file, int largest, Reading in) {
         String problem;
         if (Files.isDirectory(file)) {
             problem = "this is a folder; it has to be a file";
         } else {
             try (InputStream stream = Files.newInputStream(file)) {
-                return Optional.of(stream.readNBytes(LARGEST + 1));
+                return Optional.of(stream.readNBytes(largest + 1));
             } catch (NoSuchFileException e) {
                 problem = "there is no such file";
             } catch (AccessDeniedException e) {

@@ -13,15 +13,16 @@ import org.snakeyaml.engine.v2.nodes.Tag;
  * @param describe    the text's meaning and allowed form
  * @param pattern     has to be found in the text
  * @param alsoNumbers whether it may be a number, true or false; the value is what was typed
+ * @param longest     the largest number of characters
  */
-public record TextType(String describe, Pattern pattern, boolean alsoNumbers) implements Type<String> {
-    static final int LONGEST = 2000;
+public record TextType(String describe, Pattern pattern, boolean alsoNumbers, int longest) implements Type<String> {
+    private static final int LONGEST = 2000;
     /** All but tabs and ends of lines. */
     private static final String CONTROL = "\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f";
     private static final Pattern FORBIDDEN = Pattern.compile("[" + CONTROL + "]");
     private static final Pattern VISIBLE = Pattern.compile("\\S");
     private static final TextType PROSE = new TextType("a text that is not empty, without control characters",
-            Pattern.compile("^[^" + CONTROL + "]*[^\\s" + CONTROL + "][^" + CONTROL + "]*$"), false);
+            Pattern.compile("^[^" + CONTROL + "]*[^\\s" + CONTROL + "][^" + CONTROL + "]*$"), false, LONGEST);
 
     /** @return the type of any text that is not empty; control characters would make files unreadable */
     public static TextType prose() {
@@ -35,17 +36,22 @@ public record TextType(String describe, Pattern pattern, boolean alsoNumbers) im
      * @return the type of texts of that form
      */
     public static TextType of(String description, String pattern) {
-        return new TextType(description, Pattern.compile(pattern), false);
+        return new TextType(description, Pattern.compile(pattern), false, LONGEST);
     }
 
     /** @return the type of a text, a number or true or false; its value is what was typed */
     public static TextType typed(String description) {
-        return new TextType(description, Pattern.compile(""), true);
+        return new TextType(description, Pattern.compile(""), true, LONGEST);
+    }
+
+    /** @return the type of a text of any length, such as the contents of a file */
+    public static TextType contents(String description) {
+        return new TextType(description, Pattern.compile(""), true, SourceText.LARGEST);
     }
 
     /** In the page a pattern of a long text takes the stack for each character: prose is searched in two ways. */
     boolean matches(String text) {
-        return text.codePointCount(0, text.length()) <= LONGEST && (this == PROSE
+        return text.codePointCount(0, text.length()) <= longest && (this == PROSE
                 ? VISIBLE.matcher(text).find() && !FORBIDDEN.matcher(text).find() : isFound(text));
     }
 

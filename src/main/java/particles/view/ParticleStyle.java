@@ -49,6 +49,12 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
         return new ParticleStyle(kind, ageColours, seconds, night, arrows, marks);
     }
 
+    /** @return the longest time for which a trail stays visible (s); 0 if there are none */
+    public double longestTrail() {
+        return Math.max(trail, marks.stream().flatMap(mark -> mark.trail().stream()).mapToDouble(Double::doubleValue)
+                .max().orElse(0));
+    }
+
     /**
      * The drawing style of one particle that differs from all others.
      *
@@ -56,7 +62,13 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
      * @param colour   its colour and that of its trail, 0xRRGGBB, if it has one of its own
      * @param radius   the radius of its ball (m); 0 for that of all others
      * @param label    the text beside it; empty for none
+     * @param trail    the time for which its trail stays visible (s), if it has a time of its own
      */
-    public record ParticleMark(String particle, Optional<Integer> colour, double radius, String label) {
+    public record ParticleMark(String particle, Optional<Integer> colour, double radius, String label,
+            Optional<Double> trail) {
+        /** A mark of a particle whose trail is as those of all others. */
+        public ParticleMark(String particle, Optional<Integer> colour, double radius, String label) {
+            this(particle, colour, radius, label, Optional.empty());
+        }
     }
 }

@@ -1,6 +1,7 @@
 package particles.view;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Render options: the parts of a scene that are drawn, and their colours.
@@ -28,8 +29,15 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
      * @param fixed    the colour of fixed particles
      * @param front    the colour of a surface's front
      * @param back     the colour of its back
+     * @param springs  the colour of all springs, if they do not show their strain
+     * @param background the colour behind everything, in place of a sky
      */
-    public record Colours(int particle, int fixed, int front, int back) {
+    public record Colours(int particle, int fixed, int front, int back, Optional<Integer> springs,
+            Optional<Integer> background) {
+        /** With springs that show their strain, under a sky. */
+        public Colours(int particle, int fixed, int front, int back) {
+            this(particle, fixed, front, back, Optional.empty(), Optional.empty());
+        }
     }
 
     /** Whether particles, or springs, are drawn. */
@@ -63,7 +71,7 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
      */
     public RenderOptions inOneColour(int colour) {
         return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE,
-                new Colours(colour, colours.fixed, colour, colour),
+                new Colours(colour, colours.fixed, colour, colour, Optional.empty(), colours.background),
                 new ParticleStyle(style.kind(), List.of(colour), style.trail(), style.night()));
     }
 }

@@ -1,21 +1,29 @@
 package particles.view;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 
 /**
- * Things to draw beside particles and springs: surfaces, planes, spheres and wires.
+ * Things to draw beside particles and springs: surfaces, planes, spheres, wires and lines.
  *
  * @param surfaces surfaces that particles span
  * @param planes   the ground and other planes that particles meet
  * @param spheres  the balls and hollows that they meet
  * @param wires    the curves along which they slide
+ * @param lines    lines between particles
  */
-public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires) {
+public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires,
+        List<Line> lines) {
     /** No scenery. */
     public static final Scenery NONE = new Scenery(List.of(), List.of(), List.of(), List.of());
+
+    /** Scenery without lines. */
+    public Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires) {
+        this(surfaces, planes, spheres, wires, List.of());
+    }
 
     /** Copies the lists. */
     public Scenery {
@@ -23,6 +31,17 @@ public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> s
         planes = List.copyOf(planes);
         spheres = List.copyOf(spheres);
         wires = List.copyOf(wires);
+        lines = List.copyOf(lines);
+    }
+
+    /**
+     * A line that is drawn from one particle to another and exerts no force.
+     *
+     * @param from   the id of the particle where it begins
+     * @param to     the id of the particle where it ends
+     * @param colour its colour, 0xRRGGBB
+     */
+    public record Line(String from, String to, int colour) {
     }
 
     /**
@@ -33,6 +52,11 @@ public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> s
      *                  torn and not drawn
      */
     public record Surface(int[] triangles, boolean ofSprings) {
+        /** @return a convex polygon as triangles around its first corner */
+        public static IntStream triangles(int[] corners) {
+            return IntStream.range(2, corners.length).flatMap(k -> IntStream.of(corners[0], corners[k - 1],
+                    corners[k]));
+        }
     }
 
     /** A curve in space, as needed for drawing. */

@@ -250,7 +250,7 @@ class BrokenScenesTest {
 
             shapes:
               - jely: {centre: [0, 0, 0]}
-            x.yaml:9:5: unknown shape 'jely'; did you mean 'jelly'? known: rope, cloth, jelly
+            x.yaml:9:5: unknown shape 'jely'; did you mean 'jelly'? known: rope, cloth, jelly, mesh
 
             rules:
               - ground: {height: 1.5}
@@ -332,8 +332,9 @@ class BrokenScenesTest {
             ? [a]
             : 1
             x.yaml:8:3: a key of the scene is [a]; it has to be one of 'title', 'teaches', 'solver', 'deltaT', \
-            'duration', 'particles', 'shapes', 'springs', 'rods', 'wires', 'constraints', 'effects', 'rules', \
-            'impact', 'camera', 'look', 'output', 'blowUpFactor', 'threads'
+            'duration', 'particles', 'shapes', 'springs', 'rods', 'lines', 'faces', 'wires', 'constraints', \
+            'effects', 'rules', \
+            'impact', 'camera', 'look', 'output', 'blowUpFactor', 'threads', 'files'
 
             ---
             title: second
@@ -508,8 +509,8 @@ class BrokenScenesTest {
     private static String withNames(String message) {
         List<String> solvers = SolverCatalog.names();
         return message.replace("{keys}", """
-                title, teaches, solver, deltaT, duration, particles, shapes, springs, rods, wires, constraints, \
-                effects, rules, impact, camera, look, output, blowUpFactor, threads""")
+                title, teaches, solver, deltaT, duration, particles, shapes, springs, rods, lines, faces, wires, \
+                constraints, effects, rules, impact, camera, look, output, blowUpFactor, threads, files""")
                 .replace("{effects}", String.join(", ", EffectCatalog.ALL.stream().map(EffectKind::getName).toList()))
                 .replace("{adaptive}", String.join(", ", solvers.stream().filter(name ->
                         SolverCatalog.info(name).adaptive()).toList()))

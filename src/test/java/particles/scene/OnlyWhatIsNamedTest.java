@@ -47,6 +47,8 @@ class OnlyWhatIsNamedTest {
             effects: [drag: {coefficient: 1}, wind: {mean: [1, 0, 0]}] | AirDrag
             effects: [quadraticDrag: {coefficient: 1}] | AirDrag
             effects: [quadraticDrag: {coefficient: 1}, turbulence: {strength: 1}] | AirDrag
+            effects: [drag: {coefficient: 1}, vortex: {speed: 1}] | AirDrag
+            effects: [push: {force: [0, 1, 0]}] | Push
             effects: [attraction: {strength: 1}] | PointAttraction
             effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce
             effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce

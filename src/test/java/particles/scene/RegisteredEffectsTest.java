@@ -33,10 +33,10 @@ class RegisteredEffectsTest {
     void everyEffectHasItsClaimedProperties(String name) {
         ParticleSystem system = EffectSample.system();
         Effect effect = EffectSample.create(name, system.getParticles(), ClassNames.none());
-        assertEquals(Map.of("wind", "drag", "turbulence", "drag", "damped-springs", "springs")
+        assertEquals(Map.of("wind", "drag", "turbulence", "drag", "vortex", "drag", "damped-springs", "springs")
                 .getOrDefault(name, name), effect.getName());
         assertTrue(effect instanceof DifferentiableEffect, "it knows its derivatives");
-        assertEquals(name.equals("wind") || name.equals("turbulence"),
+        assertEquals(List.of("wind", "turbulence", "vortex").contains(name),
                 effect.getTraits().contains(Effect.Trait.DRIVING),
                 "only what blows drives");
         assertEquals(List.of(), EffectCheck.check(particles -> EffectSample.create(name, particles,

@@ -25,7 +25,7 @@ public final class JsonSchema {
         } else if (type instanceof Whole number) {
             return Ordered.map("type", "integer", "minimum", number.least(), "maximum", number.most());
         } else if (type instanceof TextType text) {
-            return Ordered.map("type", "string", "pattern", text.pattern().pattern(), "maxLength", TextType.LONGEST);
+            return Ordered.map("type", "string", "pattern", text.pattern().pattern(), "maxLength", text.longest());
         } else if (type instanceof NameType<?> names) {
             Map<String, Object> choice = Ordered.map("enum", names.names());
             return names.other().isEmpty() ? choice : anyOf(choice, of(names.other().get()));
@@ -41,6 +41,9 @@ public final class JsonSchema {
             return list.bareAllowed() ? anyOf(of(list.element()), schema) : schema;
         } else if (type instanceof MappingType mapping) {
             return ofMapping(mapping);
+        } else if (type instanceof MapType<?> map) {
+            return Ordered.map("type", "object", "propertyNames", of(map.key()), "additionalProperties",
+                    of(map.value()));
         }
         return type instanceof KindType<?> kinds ? ofKinds(kinds) : Ordered.map("type", "boolean");
     }

@@ -123,7 +123,7 @@ public final class GalleryCommand extends ProgramCommand {
         RenderOptions look = scene.description().drawing().look();
         ParticleStyle style = look.style();
         if (scene.system().getParticles().free().count() > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS
-                || style.trail() > 0) {
+                || style.longestTrail() > 0) {
             return look;
         }
         return look.withStyle(style.withTrail(duration));

@@ -76,6 +76,14 @@ public final class RunCommand extends ResultsCommand {
             description = "Whether to write replay.html, the run in the lab's page (default: false).")
     private boolean replay;
 
+    @Option(names = "--usd", arity = "0..1", paramLabel = "true|false",
+            description = "Whether to write the motion as motion.usda, for Blender, Maya or Houdini (default: false).")
+    private boolean usd;
+
+    @Option(names = "--obj", arity = "0..1", paramLabel = "true|false",
+            description = "Whether to write each frame as a Wavefront OBJ file (default: false).")
+    private boolean obj;
+
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
@@ -124,7 +132,7 @@ public final class RunCommand extends ResultsCommand {
         name = SceneName.of(file).whole();
         text = new String(bytes, StandardCharsets.UTF_8);
         SceneDescription scene = overrides.applyTo(
-                SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
+                SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses(), SceneReader.beside(file)));
         OutputDescription output = scene.output();
         boolean film = video != null ? video.equals(OutputDescription.MP4) : output.frames().film();
         description = scene.withOutput(frames ? sized(output.with(true, film)) : output.with(false, false));
@@ -159,11 +167,13 @@ public final class RunCommand extends ResultsCommand {
 
     @Override
     public void run(PrintWriter out) {
+        description.remarks().forEach(out::println);
         Scene scene = SceneBuilder.build(description);
-        List<String> files = RunObservers.files(description.output(), charts.format(), replay);
+        RunObservers.Extras extras = new RunObservers.Extras(replay, usd, obj);
+        List<String> files = RunObservers.files(description.output(), charts.format(), extras);
         try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
             Progress progress = new Progress(out, description, System::nanoTime);
-            RunObservers observers = new RunObservers(scene, folder, replay);
+            RunObservers observers = new RunObservers(scene, folder, extras);
             Optional<String> early;
             try (observers; progress) {
                 observers.attach(progress, stop);

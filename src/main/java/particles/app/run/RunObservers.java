@@ -25,6 +25,10 @@ import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.LastSteps;
 import particles.output.report.Picture;
+import particles.output.usd.MotionFile;
+import particles.output.usd.MotionRecorder;
+import particles.output.usd.ObjFrames;
+import particles.output.usd.UsdFile;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
@@ -52,25 +56,32 @@ final class RunObservers implements AutoCloseable {
     private final TrajectoryWriter trajectory;
     private final EnergyRecorder energy;
     private final List<Observer> others = new ArrayList<>();
+    private final List<MotionFile> motion = new ArrayList<>();
+    private final MotionRecorder recorder;
     private final Optional<Replay> replay;
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
     private Consumer<String> end = headline -> { };
 
+    /** The files of a run that are only written if they are asked for. */
+    record Extras(boolean replay, boolean usd, boolean obj) {
+    }
+
     /**
      * @param output the scene's output settings
      * @param charts the format of charts
-     * @param replay whether there is a replay
+     * @param extras the files besides those that every run writes
      * @return the names of the files that a run writes, the most interesting first
      */
-    static List<String> files(OutputDescription output, ChartFormat charts, boolean replay) {
+    static List<String> files(OutputDescription output, ChartFormat charts, Extras extras) {
         boolean phase = output.phase().isPresent();
-        Map<String, Object> wanted = Ordered.map(OutputFolder.FRAMES, output.frames().drawn(),
+        Map<String, Object> wanted = Ordered.map(OutputFolder.FRAMES, output.frames().drawn() || extras.obj,
                 GifAnimation.FILE, output.frames().animation() > 0, Film.FILE, output.frames().film(),
                 ENERGY + ChartWriter.PNG, output.energy(), PHASE + ChartWriter.PNG, phase,
                 ENERGY + ChartWriter.SVG, charts.svg() && output.energy(),
                 PHASE + ChartWriter.SVG, charts.svg() && phase,
-                ChartWriter.PDF, charts.slide() && (output.energy() || phase), Replay.FILE, replay,
+                ChartWriter.PDF, charts.slide() && (output.energy() || phase), Replay.FILE, extras.replay,
+                UsdFile.FILE, extras.usd,
                 TrajectoryWriter.FILE, true, Summary.FILE, true);
         return wanted.keySet().stream().filter(name -> wanted.get(name).equals(true)).toList();
     }
@@ -78,9 +89,9 @@ final class RunObservers implements AutoCloseable {
     /**
      * @param scene  a scene that is about to run
      * @param folder the output folder
-     * @param replay whether to record a replay
+     * @param extras the files besides those that every run writes
      */
-    RunObservers(Scene scene, OutputFolder folder, boolean replay) {
+    RunObservers(Scene scene, OutputFolder folder, Extras extras) {
         this.scene = scene;
         this.folder = folder;
         description = scene.description();
@@ -91,12 +102,27 @@ final class RunObservers implements AutoCloseable {
         energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(),
                 TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
         phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
-        this.replay = replay ? Optional.of(new Replay(scene, energy.getLedger())) : Optional.empty();
+        this.replay = extras.replay ? Optional.of(new Replay(scene, energy.getLedger())) : Optional.empty();
         this.replay.map(Replay::getRecorder).ifPresent(others::add);
         others.add(trajectory);
         phase.ifPresent(others::add);
-        if (output.frames().drawn()) {
-            addFrames(CameraFinder.find(description), output.frames());
+        if (output.frames().drawn() || extras.usd) {
+            Camera camera = CameraFinder.find(description);
+            if (output.frames().drawn()) {
+                addFrames(camera, output.frames());
+            }
+            if (extras.usd) {
+                motion.add(new UsdFile(folder, new UsdFile.Setup(description.title() + ": " + caption(), camera,
+                        output.frames().width(), output.frames().height(), output.frames().playbackRate(),
+                        description.drawing().look(), scene.scenery())));
+            }
+        }
+        if (extras.obj) {
+            motion.add(new ObjFrames(folder, scene.scenery().surfaces()));
+        }
+        recorder = new MotionRecorder(output.frames().rate(), description.drawing().look().style().marks(), motion);
+        if (!motion.isEmpty()) {
+            others.add(recorder);
         }
     }
 
@@ -144,7 +170,7 @@ final class RunObservers implements AutoCloseable {
     /** Completes the files written during the run, even if it ended early. */
     @Override
     public void close() {
-        try {
+        try (recorder) {
             trajectory.close();
         } finally {
             frames.ifPresent(FrameObserver::close);

@@ -157,5 +157,6 @@ final class SolverSkeleton {
             case SYMPLECTIC_EULER, VERLET -> SIMPLE;
             default -> GENERAL;
         }).orElse(GENERAL);
+        return base.text.replace("OUTLINE\n", outline).replace("NAME", name);
     }
 }

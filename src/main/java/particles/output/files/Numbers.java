@@ -15,4 +15,9 @@ public final class Numbers {
     public static String shortest(double value) {
         return NumberOutput.toString(value, true);
     }
+
+    /** @return the shortest digits that read back as the same float */
+    public static String shortest(float value) {
+        return NumberOutput.toString(value, true);
+    }
 }

@@ -102,6 +102,14 @@ public final class OutputFile extends OutputStream {
         });
     }
 
+    /** Copies all bytes written so far to another file. */
+    public synchronized void copyTo(OutputFile other) {
+        attempt(() -> {
+            stream.flush();
+            Files.copy(part, other);
+        });
+    }
+
     @Override
     public synchronized void flush() {
         attempt(stream::flush);

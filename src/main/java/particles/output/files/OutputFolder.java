@@ -135,18 +135,24 @@ public final class OutputFolder implements AutoCloseable {
         create(name).writeWhole(bytes);
     }
 
+    /** @return a file for the time of a run, hidden, to be closed without commit */
+    public OutputFile createScratch(String name) {
+        return begin(path.resolve(name));
+    }
+
     /**
      * Opens the file of a frame, {@code frames/frame-00000.png} for the first.
      *
-     * @param index the number of the frame, from 0
+     * @param index  the number of the frame, from 0
+     * @param ending the ending of its name, such as {@code png}
      * @return the file, to be written and committed
      * @throws OutputException if it cannot be written
      */
-    public OutputFile createFrame(int index) {
+    public OutputFile createFrame(int index, String ending) {
         if (claim(FRAMES)) {
             createFolder(path.resolve(FRAMES));
         }
-        return begin(path.resolve(FRAMES).resolve(String.format(Locale.ROOT, "frame-%05d.png", index)));
+        return begin(path.resolve(FRAMES).resolve(String.format(Locale.ROOT, "frame-%05d.%s", index, ending)));
     }
 
     /**

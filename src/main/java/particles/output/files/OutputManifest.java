@@ -27,7 +27,7 @@ final class OutputManifest {
     private static final String HEAD =
             "# DESolver made these files and replaces them at its next run into this folder.";
     private static final Pattern PLAIN_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]*");
-    private static final Pattern FRAME = Pattern.compile("frame-\\d{5,10}\\.png");
+    private static final Pattern FRAME = Pattern.compile("frame-\\d{5,10}\\.(png|obj)");
 
     private final Path folder;
     private final Disk disk;

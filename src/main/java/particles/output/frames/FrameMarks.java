@@ -24,6 +24,7 @@ import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Sky;
 import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
 
 /** Arrows along velocities and the labels of particles, drawn over the picture so that nothing hides them. */
 final class FrameMarks {
@@ -37,10 +38,10 @@ final class FrameMarks {
     private final float unit;
     private final Font font;
 
-    FrameMarks(CameraProjection view, ParticleStyle style) {
+    FrameMarks(CameraProjection view, RenderOptions look) {
         this.view = view;
-        this.style = style;
-        sky = Sky.of(style.night());
+        style = look.style();
+        sky = Sky.of(look);
         unit = Math.max(0.5f, view.height / 720f);
         font = FontCheck.font(Font.PLAIN, 18 * unit);
     }
@@ -58,7 +59,7 @@ final class FrameMarks {
         for (TextLine label : FontCheck.isAvailable() ? labels(state, ball) : List.<TextLine>of()) {
             for (int k = 0; k < 8; k++) {
                 double angle = Math.PI / 4 * k;
-                new TextLine(label.text(), font, sky.text.halo(), label.x() + 1.6 * unit * Math.cos(angle),
+                new TextLine(label.text(), font, sky.text().halo(), label.x() + 1.6 * unit * Math.cos(angle),
                         label.y() + 1.6 * unit * Math.sin(angle)).draw(g);
             }
             label.draw(g);
@@ -125,7 +126,7 @@ final class FrameMarks {
                 new Point2D.Double(ball.getX() - 6 * unit - width, level),
                 new Point2D.Double(middle, ball.getY() - 14 * unit),
                 new Point2D.Double(middle, ball.getMaxY() + 26 * unit))
-                .map(at -> new TextLine(text, font, sky.text.ink(), at.x, at.y)).toList();
+                .map(at -> new TextLine(text, font, sky.text().ink(), at.x, at.y)).toList();
         List<TextLine> free = places.stream().filter(place -> place.x() >= 0 && place.x() + width < view.width
                 && taken.stream().noneMatch(place.box()::intersects)).toList();
         return free.stream().filter(place -> lines.stream().noneMatch(place.box()::intersectsLine)).findFirst()

@@ -56,7 +56,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks, int threads) {
         this.fps = fps;
         marks = renderer.style().marks();
-        trails = new TrailRecorder(renderer.style().trail(), fps);
+        trails = new TrailRecorder(renderer.style().longestTrail(), fps);
         this.sinks = List.copyOf(sinks);
         pipeline = new Pipeline<>(threads, () -> renderer.another(opening));
     }

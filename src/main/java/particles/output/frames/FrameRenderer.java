@@ -81,8 +81,8 @@ public final class FrameRenderer {
                 ? Optional.of(new BlobPainter(stage.look().colours().particle())) : Optional.empty();
         glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), view))
                 : Optional.empty();
-        trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
-        marks = style().arrows() > 0 || !style().marks().isEmpty() ? Optional.of(new FrameMarks(view, style()))
+        trails = style().longestTrail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
+        marks = style().arrows() > 0 || !style().marks().isEmpty() ? Optional.of(new FrameMarks(view, stage.look()))
                 : Optional.empty();
         this.text = text;
     }
@@ -152,7 +152,7 @@ public final class FrameRenderer {
 
     private void prepare(FrameState state) {
         DrawnSizes drawn = DrawnSizes.of(state, stage.look(), view.viewHeight);
-        prepare(drawn, new Backdrop(view, shapes.lighting(), stage.scenery(), Sky.of(style().night()), stage.camera(),
+        prepare(drawn, new Backdrop(view, shapes.lighting(), stage.scenery(), Sky.of(stage.look()), stage.camera(),
                 drawn.reach(state, stage.look(), shown)));
     }
 

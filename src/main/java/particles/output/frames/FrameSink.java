@@ -35,7 +35,7 @@ public interface FrameSink extends AutoCloseable {
     static FrameSink png(OutputFolder folder, int width, int height) {
         return (index, rgb) -> {
             byte[] png = PngEncoder.file(width, height, rgb);
-            return () -> folder.createFrame(index).writeWhole(png);
+            return () -> folder.createFrame(index, "png").writeWhole(png);
         };
     }
 }

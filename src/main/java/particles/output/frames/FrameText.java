@@ -41,7 +41,7 @@ final class FrameText {
         this.stage = stage;
         this.width = width;
         this.height = height;
-        this.sky = Sky.of(stage.look().style().night());
+        this.sky = Sky.of(stage.look());
         this.unit = Math.max(0.5f, height / 720f);
         this.decimals = decimals;
     }
@@ -66,7 +66,8 @@ final class FrameText {
                 box -> List.of(box.getCenterX() < width / 2.0, box.getCenterY() < height / 2.0), box -> box,
                 Rectangle2D::createUnion));
         double room = 8 * unit;
-        g.setColor(new Color(sky.text.halo().getRed(), sky.text.halo().getGreen(), sky.text.halo().getBlue(), BACKING));
+        Color halo = sky.text().halo();
+        g.setColor(new Color(halo.getRed(), halo.getGreen(), halo.getBlue(), BACKING));
         corners.values().forEach(all -> g.fill(new RoundRectangle2D.Double(all.getX() - room, all.getY() - room,
                 all.getWidth() + 2 * room, all.getHeight() + 2 * room, 2 * room, 2 * room)));
     }
@@ -86,18 +87,18 @@ final class FrameText {
         List<TextLine> lines = new ArrayList<>();
         Font large = FontCheck.font(Font.BOLD, 24 * unit);
         Font small = FontCheck.font(Font.PLAIN, 18 * unit);
-        add(lines, stage.title(), large, sky.text.ink(), margin, margin + 17 * unit);
+        add(lines, stage.title(), large, sky.text().ink(), margin, margin + 17 * unit);
         float y = margin + 17 * unit;
         for (String note : state.notes()) {
             boolean first = note.equals(state.notes().get(0));
             y += (first ? 36 : 28) * unit;
-            add(lines, note, first ? large : small, first ? sky.text.warning() : sky.text.soft(), margin, y);
+            add(lines, note, first ? large : small, first ? sky.text().warning() : sky.text().soft(), margin, y);
         }
-        add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.text.ink(), margin,
+        add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.text().ink(), margin,
                 height - margin - 29 * unit);
         String arrows = stage.look().style().arrows() > 0 ? "arrows: velocity" : "";
         String between = stage.caption().isEmpty() || arrows.isEmpty() ? "" : "; ";
-        add(lines, stage.caption() + between + arrows, small, sky.text.soft(), margin, height - margin);
+        add(lines, stage.caption() + between + arrows, small, sky.text().soft(), margin, height - margin);
         if (withStrain) {
             addScale(lines, height - margin);
         }
@@ -146,7 +147,7 @@ final class FrameText {
         Font font = FontCheck.font(Font.PLAIN, 16 * unit);
         for (int k = 0; k < texts.size(); k++) {
             double room = bar.getWidth() - TextLine.width(texts.get(k), font);
-            add(lines, texts.get(k), font, sky.text.soft(), bar.getX() + room * k / 2, y);
+            add(lines, texts.get(k), font, sky.text().soft(), bar.getX() + room * k / 2, y);
         }
     }
 

@@ -62,17 +62,17 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
     }
 
     /** @return the radius of a spring drawn as a straight tube (m) */
-    double tube() {
+    public double tube() {
         return 0.3 * ball;
     }
 
     /** @return the radius of the wire that a bead slides along (m) */
-    double railing() {
+    public double railing() {
         return 0.2 * ball;
     }
 
     /** @return the radius of a rigid rod (m) */
-    double rod() {
+    public double rod() {
         return 0.34 * ball;
     }
 

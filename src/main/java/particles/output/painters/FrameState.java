@@ -133,13 +133,18 @@ public record FrameState(double time, double[] state, FrameStructure structure, 
         }
 
         /** @return the colour of particle i, 0xRRGGBB: its own, or that of all others */
-        int colour(int i, int others) {
+        public int colour(int i, int others) {
             return mark(i).flatMap(ParticleMark::colour).orElse(others);
         }
 
         /** @return the radius of particle i's ball (m): its own, or that of all others */
         public double radius(int i, double others) {
             return mark(i).map(ParticleMark::radius).filter(radius -> radius > 0).orElse(others);
+        }
+
+        /** @return the time for which particle i's trail stays visible (s): its own, or that of all others */
+        double trail(int i, double others) {
+            return mark(i).flatMap(ParticleMark::trail).orElse(others);
         }
 
         /** @return the text beside particle i; empty for none */

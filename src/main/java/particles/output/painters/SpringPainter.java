@@ -1,11 +1,16 @@
 package particles.output.painters;
 
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
+import particles.view.Scenery.Line;
 import particles.view.SpringView.SpringList;
 
 /**
@@ -49,11 +54,22 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         double length = whole.length();
         double rest = springs.restLength()[s];
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
-        int rgb = Colours.ofStrain(strain, look.strainRange());
-        if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {
-            return paintCoil(from, whole, rest, rgb);
+        Optional<Integer> own = look.colours().springs();
+        int rgb = own.orElseGet(() -> Colours.ofStrain(strain, look.strainRange()));
+        boolean seen = sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0
+                ? paintCoil(from, whole, rest, rgb)
+                : shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(), rgb);
+        return seen && own.isEmpty();
+    }
+
+    /** Draws lines between particles; a line ends with one of its particles. */
+    void paint(FrameState state, Place[] places, List<Line> lines) {
+        Map<String, Place> placeOf = new HashMap<>();
+        for (int i = 0; i < places.length && !lines.isEmpty(); i++) {
+            placeOf.put(state.structure().ids()[i], lifted(places[i]));
         }
-        return shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(), rgb);
+        lines.stream().filter(line -> placeOf.keySet().containsAll(List.of(line.from(), line.to()))).forEach(line ->
+                shapes.tube(placeOf.get(line.from()), placeOf.get(line.to()), sizes.railing(), line.colour()));
     }
 
     /** The place of an end, a little nearer, so that a surface spanned by springs does not hide half of each. */

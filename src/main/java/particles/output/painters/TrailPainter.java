@@ -22,7 +22,7 @@ public final class TrailPainter {
     private final float[] cover;
     private final int[] colours;
 
-    /** Creates a painter for trails of this duration (s). */
+    /** Creates a painter for trails of this duration (s), unless a particle has its own. */
     public TrailPainter(CameraProjection view, double duration) {
         this.view = view;
         this.duration = duration;
@@ -36,7 +36,7 @@ public final class TrailPainter {
         Arrays.fill(cover, 0);
         for (int i = 0; i < state.particles(); i++) {
             if (!state.isFixed(i) && shown.particle(i)) {
-                follow(state, i, state.structure().colour(i, rgb), foreground);
+                follow(state, i, state.structure().trail(i, duration), state.structure().colour(i, rgb), foreground);
             }
         }
         for (int p = 0; p < cover.length; p++) {
@@ -47,13 +47,16 @@ public final class TrailPainter {
     }
 
     /** Draws one path backwards in time from the particle. */
-    private void follow(FrameState state, int i, int rgb, Foreground foreground) {
+    private void follow(FrameState state, int i, double seconds, int rgb, Foreground foreground) {
+        if (seconds == 0) {
+            return;
+        }
         Place from = view.place(state.place(i));
         double fromShare = 1;
         List<Vector3> path = state.path(i);
         for (int k = 0; k < path.size() && fromShare > 0; k++) {
             Place to = view.place(path.get(k));
-            double share = 1 - (state.time() - state.trail().get(k).time()) / duration;
+            double share = 1 - (state.time() - state.trail().get(k).time()) / seconds;
             line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, foreground);
             from = to;
             fromShare = share;

@@ -122,8 +122,8 @@ public final class Backdrop {
             double foot = Math.abs(beside.minus(hit).dot(axis)) + Math.abs(below.minus(hit).dot(axis));
             line = Math.max(line, gridLines(from.dot(axis) / spacing, foot / spacing));
         }
-        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
-                sky.horizon, haze);
+        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground(), sky.line(), line), Math.max(0.5f, light), 0),
+                sky.horizon(), haze);
         near[p] = (float) view.nearness(depth);
         CameraProjection.Place seen = lampView.place(hit);
         double seenX = seen.x() / Raster.SAMPLES;
@@ -172,11 +172,11 @@ public final class Backdrop {
     private int behind(Vector3 ray, int y) {
         if (planes.isEmpty() || !view.perspective) {
             double part = (y + 0.5) / view.height;
-            return part < 0.62 ? Colours.mix(sky.top, sky.horizon, part / 0.62)
-                    : Colours.mix(sky.horizon, sky.bottom, (part - 0.62) / 0.38);
+            return part < 0.62 ? Colours.mix(sky.top(), sky.horizon(), part / 0.62)
+                    : Colours.mix(sky.horizon(), sky.bottom(), (part - 0.62) / 0.38);
         }
         double rise = ray.dot(up) / ray.length();
-        return Colours.mix(sky.horizon, sky.top, rise / 0.45);
+        return Colours.mix(sky.horizon(), sky.top(), rise / 0.45);
     }
 
     /** @return the nearness of the plane at pixel p; negative infinity for the sky */

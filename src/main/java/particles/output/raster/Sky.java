@@ -1,24 +1,25 @@
 package particles.output.raster;
 
 import java.awt.Color;
+import particles.view.RenderOptions;
 
-/** Day or night: colours of the background, the grid and text. */
-public enum Sky {
+/**
+ * The colours of the background, the grid and text.
+ *
+ * @param top     the colour of the sky above
+ * @param horizon the colour of the sky at the horizon
+ * @param bottom  the colour below, where there is no ground
+ * @param ground  the colour of the ground
+ * @param line    the colour of the grid on the ground
+ * @param text    the colours of text
+ */
+public record Sky(int top, int horizon, int bottom, int ground, int line, Text text) {
     /** Daylight: a light sky and dark text. */
-    DAY(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8, new Text(0x2b3440, 0x5a6572, 0xb3261e, 0xf4f6f8)),
+    private static final Sky DAY = new Sky(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8,
+            new Text(0x2b3440, 0x5a6572, 0xb3261e, 0xf4f6f8));
     /** Night: a dark sky, on which a glow is visible, and light text. */
-    NIGHT(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f, new Text(0xe9e6df, 0xa9afb9, 0xff8a80, 0x10141f));
-
-    final int top;
-    /** The colour of the sky at the horizon. */
-    final int horizon;
-    final int bottom;
-    /** The colour of the ground. */
-    public final int ground;
-    /** The colour of the grid on the ground. */
-    final int line;
-    /** The colours of text. */
-    public final Text text;
+    private static final Sky NIGHT = new Sky(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f,
+            new Text(0xe9e6df, 0xa9afb9, 0xff8a80, 0x10141f));
 
     /**
      * Colours of text.
@@ -34,17 +35,10 @@ public enum Sky {
         }
     }
 
-    Sky(int top, int horizon, int bottom, int ground, int line, Text text) {
-        this.top = top;
-        this.horizon = horizon;
-        this.bottom = bottom;
-        this.ground = ground;
-        this.line = line;
-        this.text = text;
-    }
-
-    /** @return the colours of day or night */
-    public static Sky of(boolean night) {
-        return night ? NIGHT : DAY;
+    /** @return the colours of day or night, or one colour behind everything */
+    public static Sky of(RenderOptions look) {
+        Sky sky = look.style().night() ? NIGHT : DAY;
+        return look.colours().background().map(colour -> new Sky(colour, colour, colour, sky.ground, sky.line,
+                sky.text)).orElse(sky);
     }
 }

@@ -1,6 +1,7 @@
 package particles.scene.format;
 
 import java.util.List;
+import java.util.Optional;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Key;
 import particles.spec.ListType;
@@ -56,6 +57,12 @@ public final class RenderFormat {
     static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.colours().back(),
             "The colour of a surface's back.");
 
+    static final Key<String> SPRING_COLOUR = COLOUR.optional("springColour",
+            "The colour of all springs; by default it shows their strain.");
+    static final Key<String> BACKGROUND = COLOUR.optional("background",
+            "The colour behind everything, in place of a sky; text on it is dark or light, as 'sky' says, or as suits"
+            + " it.");
+
     static final Key<Double> VELOCITY_ARROWS = NumberType.notNegative("s").withDefault("velocityArrows", 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
             + " 0 for no arrows.");
@@ -66,13 +73,16 @@ public final class RenderFormat {
     private static final Key<Double> MARK_RADIUS = NumberType.notNegative("m").withDefault("radius", 0.0,
             "The radius of its ball (m); 0 for the radius of all others.");
     private static final Key<String> LABEL = TextType.prose().optional("label", "A text beside it.");
+    private static final Key<Double> MARK_TRAIL = NumberType.notNegative("s").optional("trail",
+            "The time for which its path stays visible as a fading line (s); by default that of all others.");
     public static final Key<List<Values>> MARKS = ListType.of("a mark",
-            MappingType.of("a mark", MARKED, MARK_COLOUR, MARK_RADIUS, LABEL))
-            .withDefault("marks", List.of(), "Particles with a colour, a size or a label of their own.");
+            MappingType.of("a mark", MARKED, MARK_COLOUR, MARK_RADIUS, LABEL, MARK_TRAIL))
+            .withDefault("marks", List.of(), "Particles with a colour, a size, a label or a trail of their own.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
-            PARTICLE_COLOUR, FIXED_COLOUR, FRONT_COLOUR, BACK_COLOUR, VELOCITY_ARROWS, MARKS);
+            PARTICLE_COLOUR, FIXED_COLOUR, FRONT_COLOUR, BACK_COLOUR, SPRING_COLOUR, BACKGROUND, VELOCITY_ARROWS,
+            MARKS);
 
     private RenderFormat() {
     }
@@ -81,22 +91,28 @@ public final class RenderFormat {
     public static RenderOptions of(Values values) {
         return new RenderOptions(values.get(PARTICLES), values.get(SPRINGS), values.get(PARTICLE_RADIUS),
                 values.get(STRAIN_RANGE), new RenderOptions.Colours(rgb(values.get(PARTICLE_COLOUR)),
-                rgb(values.get(FIXED_COLOUR)), rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR))),
+                rgb(values.get(FIXED_COLOUR)), rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR)),
+                values.find(SPRING_COLOUR).map(RenderFormat::rgb), background(values)),
                 style(values));
+    }
+
+    private static Optional<Integer> background(Values values) {
+        return values.find(BACKGROUND).map(RenderFormat::rgb);
     }
 
     private static ParticleStyle style(Values values) {
         Kind kind = values.get(PARTICLES_AS);
         List<Integer> colours = values.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
                 .orElse(ParticleStyle.STANDARD.ageColours());
-        boolean night = values.find(SKY).map("night"::equals).orElse(kind == Kind.GLOW);
+        boolean night = values.find(SKY).map("night"::equals)
+                .or(() -> background(values).map(RenderFormat::isDark)).orElse(kind == Kind.GLOW);
         return new ParticleStyle(kind, colours, values.get(TRAIL), night, values.get(VELOCITY_ARROWS),
                 values.get(MARKS).stream().map(RenderFormat::mark).toList());
     }
 
     private static ParticleMark mark(Values values) {
         return new ParticleMark(values.get(MARKED), values.find(MARK_COLOUR).map(RenderFormat::rgb),
-                values.get(MARK_RADIUS), values.find(LABEL).orElse(""));
+                values.get(MARK_RADIUS), values.find(LABEL).orElse(""), values.find(MARK_TRAIL));
     }
 
     /** Reports keys that cannot be combined. */
@@ -115,11 +131,16 @@ public final class RenderFormat {
         }
     }
 
-    private static Key<String> colour(String name, int standard, String sentence) {
+    static Key<String> colour(String name, int standard, String sentence) {
         return COLOUR.withDefault(name, String.format("#%06x", standard), sentence);
     }
 
-    private static int rgb(String colour) {
+    /** By the usual weights of red, green and blue in a colour's luminance (ITU-R BT.601). */
+    private static boolean isDark(int rgb) {
+        return 299 * (rgb >> 16 & 255) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255) < 128_000;
+    }
+
+    static int rgb(String colour) {
         return Integer.parseInt(colour.substring(1), 16);
     }
 }

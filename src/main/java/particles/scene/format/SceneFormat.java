@@ -1,6 +1,7 @@
 package particles.scene.format;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
@@ -15,11 +16,13 @@ import particles.spec.Key;
 import particles.spec.Kind.Chosen;
 import particles.spec.KindType;
 import particles.spec.ListType;
+import particles.spec.MapType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
+import particles.view.Scenery.Line;
 
 /** The format of scene files. The reader, its messages, the JSON Schema for editors
  * and the reference tables all follow from it. */
@@ -41,12 +44,21 @@ public final class SceneFormat {
             + " 'repulsion' or 'collisions'.");
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = ListType.of("a shape", new KindType<>("shape",
             ShapeKind.ALL)).withDefault("shapes", List.of(),
-            "Ropes, cloths and blocks: many particles and springs at once.");
+            "Ropes, cloths, blocks and meshes: many particles and springs at once.");
     public static final Key<List<Values>> SPRINGS = ListType.of("a spring", SpringDescription.TYPE)
             .withDefault("springs", List.of(), "Springs between any two particles.");
     public static final Key<List<Values>> RODS = ListType.of("a rod", ConstraintDescription.ROD)
             .withDefault("rods", List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
+    private static final Key<String> LINE_COLOUR = RenderFormat.colour("colour", 0x6c7683, "Its colour.");
+    public static final Key<List<Values>> LINES = ListType.of("a line", MappingType.of("a line",
+            SpringDescription.FROM, SpringDescription.TO, LINE_COLOUR)).withDefault("lines", List.of(),
+            "Lines between any two particles, which are drawn and exert no force.");
+    public static final Key<List<String>> CORNERS = ListType.of("a corner", SpringDescription.ANY_ID)
+            .required("corners", "Its corners, three particles or more, counter-clockwise seen from its front.");
+    public static final Key<List<Values>> FACES = ListType.of("a face", MappingType.of("a face", CORNERS)
+            .shortFor(CORNERS)).withDefault("faces", List.of(),
+            "The faces of a shaded surface that any particles span, such as '- [a, b, c]'.");
     public static final Key<List<Chosen<WireKind>>> WIRES = ListType.of("a wire", new KindType<>("wire", WireKind.ALL))
             .withDefault("wires", List.of(), "Wires that particles slide along.");
     public static final Key<Values> CONSTRAINTS = ConstraintDescription.TYPE.optional("constraints",
@@ -73,11 +85,21 @@ public final class SceneFormat {
                     for the scene before the run. Whatever this number is, gradle run also ends when the numerical \
                     error is 1000 times the rest of the energy.""");
 
+    public static final Key<Map<String, String>> FILES = new MapType<>(TextType.of("the name of a file", "\\S"),
+            TextType.contents("its text")).optional("files",
+            "The files that the scene names, for a scene in one piece; without this key they are in its folder.");
+
     public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
             PARTICLES,
             SHAPES,
-            SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR, THREADS);
+            SPRINGS, RODS, LINES, FACES, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT,
+            BLOW_UP_FACTOR, THREADS, FILES);
 
     private SceneFormat() {
+    }
+
+    static Line line(Values values) {
+        return new Line(values.get(SpringDescription.FROM), values.get(SpringDescription.TO),
+                RenderFormat.rgb(values.get(LINE_COLOUR)));
     }
 }

@@ -18,8 +18,8 @@ import particles.law.Vector3;
  *     and T the duration, since everything may fall for as long as the run lasts;</li>
  * <li>the energy that wind, emitters and moving anchors can supply: the sum of m w&sup2;/2, with w the largest of their
  * speeds, over all particles, including those born during the run;</li>
- * <li>the energy that laws without a declared energy can supply, as a student's own may be: the sum of F&sup2;
- *     T&sup2;/(2 m), with F the force at the start.</li>
+ * <li>the energy that uniform forces, and laws without a declared energy, as a student's own may be, can supply: the
+ *     sum of F&sup2; T&sup2;/(2 m), with F the force at the start.</li>
  * </ul>
  * If all four are 0, nothing in the scene causes motion. The estimate is then the kinetic energy with which every
  * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
@@ -48,7 +48,7 @@ record EnergyEstimate(ParticleSystem system, double duration) {
             if (!Trait.isUniform(effect)) {
                 atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
             }
-            if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
+            if (Trait.isUniform(effect) || Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
                 effect.addForces(state, system.getTime(), ownForces);
             }
         }

@@ -1,5 +1,6 @@
 package particles.scene.parts;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -7,6 +8,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
+import particles.scene.parts.SpringFamily.Sink;
+import particles.scene.parts.SpringFamily.Sort;
 import particles.view.Scenery.Surface;
 
 /**
@@ -17,9 +20,11 @@ import particles.view.Scenery.Surface;
  * @param counts  the number of particles along each direction, at least 2
  * @param origin  the position of the particle [0,0,0] (m)
  * @param edges   the vectors from the first to the last particle along each direction (m)
+ * @param sides   the names of the two ends along each direction
  */
-public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges) {
-    /** @return the number of particles */
+record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges, List<List<String>> sides)
+        implements ParticleLayout {
+    @Override
     public long size() {
         return counts.stream().mapToLong(Integer::longValue).reduce(1, Math::multiplyExact);
     }
@@ -51,12 +56,12 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         return counts.subList(direction + 1, counts.size()).stream().reduce(1, (a, b) -> a * b);
     }
 
-    /** @return the name of particle n */
+    @Override
     public String idOf(int n) {
         return Arrays.stream(indices(n)).mapToObj(Integer::toString).collect(Collectors.joining(",", id + "[", "]"));
     }
 
-    /** @return the number of the particle with this name, if it is one of this lattice */
+    @Override
     public Optional<Integer> find(String particle) {
         int[] indices = Stream.of(particle.substring(particle.indexOf('[') + 1).split("\\D+"))
                 .filter(index -> index.matches("\\d{1,9}")).mapToInt(Integer::parseInt).toArray();
@@ -64,7 +69,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         return n >= 0 && idOf(n).equals(particle) ? Optional.of(n) : Optional.empty();
     }
 
-    /** @return the position of particle n (m) */
+    @Override
     public Vector3 position(int n) {
         int[] indices = indices(n);
         Vector3 position = origin;
@@ -87,21 +92,65 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         };
     }
 
-    /** @return the range of ids, for messages */
-    public String range() {
-        return idOf(0) + " to " + idOf((int) size() - 1);
+    @Override
+    public double mass(int n, double total) {
+        return total / size();
     }
 
-    /**
-     * Makes the surface that a lattice in two or three directions spans: a cloth itself, or the six sides of a block.
-     *
-     * @param first     the index of its first particle in the system
-     * @param ofSprings whether springs connect neighbours along its directions
-     * @return its surface
-     */
-    public Surface surface(int first, boolean ofSprings) {
+    @Override
+    public IntStream numbers(String part) {
+        if (part.endsWith("]")) {
+            return find(part).stream().mapToInt(Integer::intValue);
+        }
+        List<String> together = List.of(part.split("-"));
+        return IntStream.range(0, (int) size()).filter(n -> {
+            List<String> own = sidesOf(indices(n));
+            return switch (part) {
+                case "corners" -> own.size() == counts.size();
+                case "edges" -> !own.isEmpty();
+                default -> own.containsAll(together);
+            };
+        });
+    }
+
+    /** @return the names of the sides to which a particle belongs */
+    private List<String> sidesOf(int[] indices) {
+        List<String> names = new ArrayList<>();
+        for (int d = 0; d < indices.length; d++) {
+            if (indices[d] == 0 || indices[d] == counts.get(d) - 1) {
+                names.add(sides.get(d).get(indices[d] == 0 ? 0 : 1));
+            }
+        }
+        return names;
+    }
+
+    @Override
+    public long pairs(Sort sort) {
+        return sort.offsets(counts.size()).stream().mapToLong(offset -> IntStream.range(0, offset.length)
+                .mapToLong(d -> Math.max(0, counts.get(d) - Math.abs(offset[d]))).reduce(1, (a, b) -> a * b)).sum();
+    }
+
+    @Override
+    public void forEachPair(Sort sort, Sink sink) {
+        for (int[] offset : sort.offsets(counts.size())) {
+            for (int n = 0; n < size(); n++) {
+                int[] at = indices(n);
+                Arrays.setAll(at, d -> at[d] + offset[d]);
+                int partner = number(at);
+                if (partner >= 0) {
+                    sink.spring(n, partner);
+                }
+            }
+        }
+    }
+
+    /** {@inheritDoc} A lattice in two or three directions spans one: a cloth itself, or the six sides of a block. */
+    @Override
+    public Optional<Surface> surface(int first, List<Sort> sorts) {
         IntStream.Builder triangles = IntStream.builder();
-        if (counts.size() == 2) {
+        if (counts.size() == 1) {
+            return Optional.empty();
+        } else if (counts.size() == 2) {
             addSheet(triangles, first, 1, 0);           // front: the viewer sees [0,0] top left
         } else {
             for (int d = 0; d < 3; d++) {
@@ -109,7 +158,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
                 addSheet(triangles, first + (counts.get(d) - 1) * stride(d), (d + 1) % 3, (d + 2) % 3);
             }
         }
-        return new Surface(triangles.build().toArray(), ofSprings);
+        return Optional.of(new Surface(triangles.build().toArray(), sorts.contains(Sort.STRUCTURAL)));
     }
 
     /** Adds the sheet through a corner along directions u and v; its front is on the side of u x v. */

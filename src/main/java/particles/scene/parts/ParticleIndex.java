@@ -23,15 +23,15 @@ public final class ParticleIndex {
             numbers.put(particle.id(), count++);
         }
         for (ShapeDescription shape : shapes) {
-            shapesById.put(shape.lattice().id(), shape);
-            numbers.put(shape.lattice().id(), count);
-            count += (int) shape.lattice().size();
+            shapesById.put(shape.layout().id(), shape);
+            numbers.put(shape.layout().id(), count);
+            count += (int) shape.layout().size();
         }
     }
 
     /** @return the number of the particle with this id, if there is one */
     public Optional<Integer> find(String id) {
-        return shape(shapeOf(id)).map(shape -> shape.lattice().find(id).map(n -> numbers.get(shapeOf(id)) + n))
+        return shape(shapeOf(id)).map(shape -> shape.layout().find(id).map(n -> numbers.get(shapeOf(id)) + n))
                 .orElseGet(() -> Optional.ofNullable(numbers.get(id)));
     }
 
@@ -62,7 +62,7 @@ public final class ParticleIndex {
 
     /** @return the particle with this known id */
     public ParticleDescription particle(String id) {
-        return shape(shapeOf(id)).map(shape -> shape.particle(shape.lattice().find(id).orElseThrow()))
+        return shape(shapeOf(id)).map(shape -> shape.particle(shape.layout().find(id).orElseThrow()))
                 .orElseGet(() -> particles.get(numbers.get(id)));
     }
 

@@ -9,36 +9,42 @@ import java.util.stream.Stream;
 import particles.scene.parts.SpringFamily.Sort;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
+import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
+import particles.view.Scenery.Surface;
 
 /**
- * One shape of a scene: a rope, a cloth or a block of jelly.
+ * One shape of a scene: a rope, a cloth, a block of jelly or a mesh.
  *
- * @param chosen  its kind, with the values of its keys
- * @param lattice its particles
- * @param fixed   the numbers of the fixed ones
+ * @param chosen its kind, with the values of its keys
+ * @param layout its particles
+ * @param fixed  the numbers of the fixed ones
  */
-public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet fixed) {
+public record ShapeDescription(Chosen<ShapeKind> chosen, ParticleLayout layout, BitSet fixed) {
     /** The largest number of particles; they take about half a GiB. */
     public static final int MOST_PARTICLES = 1_000_000;
 
-    /** @return the shape, if it has no problem */
-    public static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, Problems problems) {
+    /**
+     * @param files    finds the files that shapes name
+     * @param problems receives the problems
+     * @return the shape, if it has no problem
+     */
+    public static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, NamedFiles files, Problems problems) {
         ShapeKind kind = chosen.kind();
-        Values values = chosen.values();
-        Lattice lattice = kind.lattice(values);
-        if (lattice.size() > MOST_PARTICLES) {
-            return problems.add(chosen.place(), kind.getLabel() + " has " + lattice.size()
+        Optional<ParticleLayout> layout = kind.layout(chosen, files, problems);
+        if (layout.isEmpty()) {
+            return Optional.empty();
+        }
+        if (layout.get().size() > MOST_PARTICLES) {
+            return problems.add(chosen.place(), kind.getLabel() + " has " + layout.get().size()
                     + " particles; a scene may have at most " + MOST_PARTICLES);
         }
-        if (!(lattice.flatness() > 1e-9)) {
-            return problems.add(chosen.place(), kind.getLabel()
-                    + " has no extent in one direction: its particles would lie on top of each other");
-        }
-        ShapeDescription shape = new ShapeDescription(chosen, lattice, new BitSet());
+        ShapeDescription shape = new ShapeDescription(chosen, layout.get(), new BitSet());
         int before = problems.count();
-        new LinkedHashSet<>(values.get(ShapeKind.FIXED)).forEach(part -> shape.fix(part, problems));
+        new LinkedHashSet<>(shape.values().get(ShapeKind.FIXED)).forEach(part -> shape.fix(part, problems));
+        shape.values().find(MeshShape.FIXED_BOX).ifPresent(box -> shape.fix(shape.numbersIn(box),
+                shape.values().place(MeshShape.FIXED_BOX), "no particle begins in 'fixedBox'", problems));
         return problems.count() > before ? Optional.empty() : Optional.of(shape);
     }
 
@@ -48,14 +54,14 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
 
     /** @return its particles, in the order of their numbers */
     public Stream<ParticleDescription> particles() {
-        return IntStream.range(0, (int) lattice.size()).mapToObj(this::particle);
+        return IntStream.range(0, (int) layout.size()).mapToObj(this::particle);
     }
 
     /** @return one of its particles */
     public ParticleDescription particle(int n) {
-        double mass = values().find(ShapeKind.MASS).orElseGet(() -> values().get(ShapeKind.TOTAL_MASS)
-                / lattice.size());
-        return new ParticleDescription(lattice.idOf(n), lattice.position(n), mass, fixed.get(n), values(),
+        double mass = values().find(ShapeKind.MASS).orElseGet(() ->
+                layout.mass(n, values().get(ShapeKind.TOTAL_MASS)));
+        return new ParticleDescription(layout.idOf(n), layout.position(n), mass, fixed.get(n), values(),
                 chosen.place());
     }
 
@@ -70,36 +76,33 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
                 .map(family -> new SpringFamily(sort, family))).toList();
     }
 
-    /** @return whether it is drawn as a surface */
-    public boolean surface() {
-        return lattice.counts().size() > 1 && values().get(ShapeKind.SURFACE);
+    /**
+     * @param first the index of its first particle in the system
+     * @return its surface, if one is drawn
+     */
+    public Optional<Surface> surface(int first) {
+        return values().get(ShapeKind.SURFACE)
+                ? layout.surface(first, springs().stream().map(SpringFamily::sort).toList()) : Optional.empty();
+    }
+
+    private IntStream numbersIn(Values box) {
+        return IntStream.range(0, (int) layout.size()).filter(n -> MeshShape.isIn(box, layout.position(n)));
     }
 
     private void fix(String part, Problems problems) {
-        if (part.endsWith("]")) {
-            Optional<Integer> number = lattice.find(part);
-            if (number.isEmpty()) {
-                problems.add(values().place(ShapeKind.FIXED), "unknown particle " + Wording.quote(part)
-                        + " in 'fixed'; known: " + lattice.range());
-            }
-            number.ifPresent(fixed::set);
-            return;
-        }
-        List<String> together = List.of(part.split("-"));
-        for (int n = 0; n < lattice.size(); n++) {
-            List<String> sides = chosen.kind().sidesOf(lattice.indices(n), lattice.counts());
-            if (switch (part) {
-                case "corners" -> sides.size() == lattice.counts().size();
-                case "edges" -> !sides.isEmpty();
-                default -> sides.containsAll(together);
-            }) {
-                fixed.set(n);
-            }
+        fix(layout.numbers(part), values().place(ShapeKind.FIXED), "unknown particle " + Wording.quote(part)
+                + " in 'fixed'; known: " + layout.parts(), problems);
+    }
+
+    private void fix(IntStream numbers, Place place, String ifNone, Problems problems) {
+        int[] found = numbers.peek(fixed::set).toArray();
+        if (found.length == 0) {
+            problems.add(place, ifNone);
         }
     }
 
     /** @return the number of its springs */
     public long springCount() {
-        return springs().stream().mapToLong(family -> family.count(lattice)).sum();
+        return springs().stream().mapToLong(family -> layout.pairs(family.sort())).sum();
     }
 }

@@ -2,7 +2,7 @@ package particles.scene.parts;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiFunction;
+import java.util.Optional;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
@@ -15,6 +15,7 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
+import particles.spec.messages.Problems;
 
 /** A kind of shape that a scene can name, with its keys and particle positions; {@link #ALL} lists them. */
 public final class ShapeKind extends Kind {
@@ -35,26 +36,46 @@ public final class ShapeKind extends Kind {
     /** Reads the fixed particles of any shape. */
     static final Key<List<String>> FIXED = fixed(List.of());
 
-    private final List<List<String>> sides;
-    private final BiFunction<String, Values, Lattice> lattice;
+    /** Makes the particles of a shape. */
+    @FunctionalInterface
+    interface Maker {
+        /** @return the particles of the shape with this name, or empty if problems were reported */
+        Optional<ParticleLayout> make(String id, Chosen<ShapeKind> chosen, NamedFiles files, Problems problems);
+    }
+
+    /** Makes a lattice from its name, the names of its sides and its values. */
+    @FunctionalInterface
+    private interface LatticeMaker {
+        Lattice make(String id, List<List<String>> sides, Values values);
+    }
+
+    private final Maker maker;
+
+    /** A shape with these keys besides its name. */
+    ShapeKind(String name, String sentence, Maker maker, List<Key<?>> keys) {
+        super(name, sentence, Stream.concat(Stream.of(id(name)), keys.stream()).toList(), List.of(MASS, TOTAL_MASS));
+        this.maker = maker;
+    }
 
     /**
      * @param sides   the names of the two ends along each direction
      * @param parts   other names of parts that can be fixed
-     * @param lattice makes the particles, from the shape's name and values
+     * @param lattice makes the particles
      * @param own     the keys for the positions of the particles
      */
-    private ShapeKind(String name, String sentence, List<List<String>> sides, List<String> parts,
-            BiFunction<String, Values, Lattice> lattice, Key<?>... own) {
-        super(name, sentence, keys(name, sides, parts, own), List.of(MASS, TOTAL_MASS));
-        this.sides = sides;
-        this.lattice = lattice;
+    private static ShapeKind lattice(String name, String sentence, List<List<String>> sides, List<String> parts,
+            LatticeMaker lattice, Key<?>... own) {
+        return new ShapeKind(name, sentence, (id, chosen, files, problems) -> {
+            Lattice made = lattice.make(id, sides, chosen.values());
+            return made.size() > ShapeDescription.MOST_PARTICLES || made.flatness() > 1e-9 ? Optional.of(made)
+                    : problems.add(chosen.place(), "'" + name + "' has no extent in one direction: its particles"
+                            + " would lie on top of each other");
+        }, keys(sides, parts, own));
     }
 
-    private static List<Key<?>> keys(String name, List<List<String>> sides, List<String> parts, Key<?>... own) {
+    private static List<Key<?>> keys(List<List<String>> sides, List<String> parts, Key<?>... own) {
         boolean squares = sides.size() > 1;             // without them there are neither shear springs nor a surface
-        List<Key<?>> all = new ArrayList<>(List.of(id(name)));
-        all.addAll(List.of(own));
+        List<Key<?>> all = new ArrayList<>(List.of(own));
         all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY,
                 fixed(Stream.concat(sides.stream().flatMap(List::stream), parts.stream()).toList())));
         Stream.of(Sort.values()).filter(sort -> squares || sort != Sort.SHEAR).forEach(sort -> all.add(sort.key()));
@@ -74,20 +95,9 @@ public final class ShapeKind extends Kind {
                 "Its fixed particles: names of parts, ids of its particles, or a list of both.");
     }
 
-    /** @return the particles of a shape with these values */
-    Lattice lattice(Values values) {
-        return lattice.apply(values.get(getId()), values);
-    }
-
-    /** @return the names of the sides to which a particle belongs */
-    List<String> sidesOf(int[] indices, List<Integer> counts) {
-        List<String> names = new ArrayList<>();
-        for (int d = 0; d < indices.length; d++) {
-            if (indices[d] == 0 || indices[d] == counts.get(d) - 1) {
-                names.add(sides.get(d).get(indices[d] == 0 ? 0 : 1));
-            }
-        }
-        return names;
+    /** @return the particles of a shape of this kind, or empty if problems were reported */
+    Optional<ParticleLayout> layout(Chosen<ShapeKind> chosen, NamedFiles files, Problems problems) {
+        return maker.make(chosen.values().get(getId()), chosen, files, problems);
     }
 
     /** @return the key of the shape's name */
@@ -101,10 +111,11 @@ public final class ShapeKind extends Kind {
             "The position of its last particle (m).");
     private static final Key<Integer> PARTICLES = COUNT.required("particles", "The number of particles.");
 
-    private static final ShapeKind ROPE = new ShapeKind("rope",
+    private static final ShapeKind ROPE = lattice("rope",
             "Particles rope[0], rope[1] ... at equal distances along a line.",
-            List.of(List.of("start", "end")), List.of(), (id, values) -> new Lattice(id, List.of(values.get(PARTICLES)),
-            values.get(START), List.of(values.get(END).minus(values.get(START)))), START, END, PARTICLES);
+            List.of(List.of("start", "end")), List.of(), (id, sides, values) -> new Lattice(id,
+            List.of(values.get(PARTICLES)), values.get(START), List.of(values.get(END).minus(values.get(START))),
+            sides), START, END, PARTICLES);
 
     private static final Key<Vector3> TOP_LEFT = VectorType.of("m").required("corner",
             "The position of the top-left particle (m).");
@@ -115,12 +126,12 @@ public final class ShapeKind extends Kind {
     private static final Key<Integer> COLUMNS = COUNT.required("columns", "The number of particles across.");
     private static final Key<Integer> ROWS = COUNT.required("rows", "The number of particles from top to bottom.");
 
-    private static final ShapeKind CLOTH = new ShapeKind("cloth",
+    private static final ShapeKind CLOTH = lattice("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram; cloth[0,0] is the top-left particle.",
             List.of(List.of("left", "right"), List.of("top", "bottom")),
             List.of("top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
-            (id, values) -> new Lattice(id, List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
-            List.of(values.get(ACROSS), values.get(DOWN))), TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS);
+            (id, sides, values) -> new Lattice(id, List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
+            List.of(values.get(ACROSS), values.get(DOWN)), sides), TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS);
 
     private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
     private static final Key<Vector3> SIZE = VectorType.positive("m").required("size",
@@ -131,21 +142,22 @@ public final class ShapeKind extends Kind {
     private static final Key<Integer> JELLY_ROWS = COUNT.required("rows",
             "The number of particles from bottom to top.");
 
-    private static final ShapeKind JELLY = new ShapeKind("jelly",
+    private static final ShapeKind JELLY = lattice("jelly",
             "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is at the left, bottom and back.",
             List.of(List.of("left", "right"), List.of("bottom", "top"), List.of("back", "front")), List.of("corners"),
             ShapeKind::block, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS);
 
-    private static Lattice block(String id, Values values) {
+    private static Lattice block(String id, List<List<String>> sides, Values values) {
         Vector3 size = values.get(SIZE);
         List<Vector3> edges = Stream.of(new Vector3(size.x(), 0, 0), new Vector3(0, size.y(), 0),
                 new Vector3(0, 0, size.z())).map(edge -> turned(edge, values.get(TURN))).toList();
         Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
         return new Lattice(id, List.of(values.get(COLUMNS), values.get(JELLY_ROWS), values.get(LAYERS)),
-                values.get(CENTRE).minus(diagonal.times(0.5)), edges);
+                values.get(CENTRE).minus(diagonal.times(0.5)), edges, sides);
     }
 
-    private static Vector3 turned(Vector3 v, Vector3 degrees) {
+    /** @return a vector that was rotated about the fixed x, y and z axes, in this order */
+    static Vector3 turned(Vector3 v, Vector3 degrees) {
         double[] r = {v.x(), v.y(), v.z()};
         double[] angles = {degrees.x(), degrees.y(), degrees.z()};
         for (int axis = 0, i = 1, j = 2; axis < 3; i = j, j = axis, axis++) {
@@ -158,6 +170,10 @@ public final class ShapeKind extends Kind {
         return Vector3.at(r, 0);
     }
 
+    private static final ShapeKind MESH = new ShapeKind("mesh",
+            "Particles mesh[0], mesh[1] ... at the vertices of a mesh that another program made.", MeshShape::layout,
+            MeshShape.keys());
+
     /** All shapes. */
-    public static final List<ShapeKind> ALL = List.of(ROPE, CLOTH, JELLY);
+    public static final List<ShapeKind> ALL = List.of(ROPE, CLOTH, JELLY, MESH);
 }

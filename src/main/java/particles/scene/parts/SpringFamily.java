@@ -1,9 +1,7 @@
 package particles.scene.parts;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import particles.spec.Key;
 import particles.spec.MappingType;
 import particles.spec.NumberType;
@@ -44,6 +42,11 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
             return key;
         }
 
+        /** @return the same key, described in another way */
+        Key<Values> key(String sentence) {
+            return key.type().optional(key.name(), sentence);
+        }
+
         /**
          * @return for a lattice of this number of directions, the steps from a particle to its partners, each pair once
          */
@@ -72,28 +75,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** Receives the springs one by one. */
     public interface Sink {
-        /** Takes a spring between two particles of the lattice. */
+        /** Takes a spring between two particles, by their numbers in the shape. */
         void spring(int from, int to);
-    }
-
-    /** @return the number of springs of this sort in a lattice */
-    long count(Lattice lattice) {
-        return sort.offsets(lattice.counts().size()).stream().mapToLong(offset -> IntStream.range(0, offset.length)
-                .mapToLong(d -> Math.max(0, lattice.counts().get(d) - Math.abs(offset[d])))
-                .reduce(1, (a, b) -> a * b)).sum();
-    }
-
-    /** Passes every spring to a sink, with the lattice's own particle numbers. */
-    public void forEach(Lattice lattice, Sink sink) {
-        for (int[] offset : sort.offsets(lattice.counts().size())) {
-            for (int n = 0; n < lattice.size(); n++) {
-                int[] at = lattice.indices(n);
-                Arrays.setAll(at, d -> at[d] + offset[d]);
-                int partner = lattice.number(at);
-                if (partner >= 0) {
-                    sink.spring(n, partner);
-                }
-            }
-        }
     }
 }

@@ -92,8 +92,8 @@ class CheckEffectCommandTest {
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertHas(here(ExitCode.BAD_INPUT, "gravty", folder), """
                 no effect is called 'gravty'; did you mean 'gravity'? known effects: attraction, cohesion, \
-                damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, repulsion, \
-                springs, turbulence, wind""");
+                damped-springs, drag, gravity, penaltyPlane, penaltySphere, push, quadraticDrag, repulsion, \
+                springs, turbulence, vortex, wind""");
         assertHas(here(ExitCode.BAD_INPUT, "MyGravity", folder), """
                 there is no class exercises.MyGravity; put your own class into src/main/java/exercises (gradle \
                 newEffect writes one to start from)""");

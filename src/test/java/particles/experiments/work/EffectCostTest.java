@@ -31,16 +31,16 @@ class EffectCostTest {
         List<String> told = new ArrayList<>();
         List<Cost> costs = EffectCost.measure(3, 2, 2, () -> now[0] += 100L * (call[0]++ / 2 + 1),
                 (part, what) -> told.add(what));
-        assertEquals(17, costs.size());
-        assertEquals(34, told.size());
-        for (int k = 0; k < 17; k++) {
+        assertEquals(19, costs.size());
+        assertEquals(38, told.size());
+        for (int k = 0; k < 19; k++) {
             assertEquals(100e-9 * (k + 1) / 2, costs.get(k).seconds(), 1e-21);             // measured 1.1e-22
             assertEquals((k + 1) / 2.0, costs.get(k).overBase(), 8e-15);              // measured 8.9e-16
             assertEquals(costs.get(k).name(), told.get(k));
         }
         Chart chart = EffectCost.panel(costs).charts().get(0);
         assertEquals(7, chart.rows().size(), "the six dearest, and all others together");
-        assertEquals(17, EffectCost.table(costs).rows().size());
+        assertEquals(19, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
         assertEquals("2", EffectCost.overLoop(costs));
     }

@@ -53,7 +53,7 @@ class OutputFolderTest {
         try (OutputFolder folder = OutputFolder.open(out, OutputFolder.FRAMES)) {
             put(folder.create("energy.png"), "old");
             for (int i = 0; i < 12; i++) {
-                put(folder.createFrame(i), "old");
+                put(folder.createFrame(i, "png"), "old");
             }
         }
         assertTrue(Files.exists(out.resolve("frames/frame-00011.png")));
@@ -62,7 +62,7 @@ class OutputFolderTest {
         Files.writeString(out.resolve("frames/.frame-00012.png.part"), "left by a killed run");
         Files.writeString(out.resolve(".energy.png.part"), "left by a killed run");
         try (OutputFolder folder = OutputFolder.open(out, OutputFolder.FRAMES)) {
-            put(folder.createFrame(0), "new");
+            put(folder.createFrame(0, "png"), "new");
         }
         assertEquals(Set.of(".desolver-made", "notes.txt", "frames", "frames/best-frame.png",
                 "frames/frame-00000.png"), filesOf(out));
@@ -131,7 +131,7 @@ class OutputFolderTest {
     @Test
     void anEmptyFramesFolderGoesWithItsFrames() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top)) {
-            put(folder.createFrame(0), "old");
+            put(folder.createFrame(0, "png"), "old");
         }
         OutputFolder.open(top).close();
         assertFalse(Files.exists(top.resolve("frames")));
@@ -145,13 +145,13 @@ class OutputFolderTest {
         assertThrows(OutputException.class, () -> folder.create("energy.png"));
         assertEquals("mine", Files.readString(top.resolve("energy.png")));
         Files.createDirectory(top.resolve("frames"));
-        assertThrows(OutputException.class, () -> folder.createFrame(0));
+        assertThrows(OutputException.class, () -> folder.createFrame(0, "png"));
     }
 
     @Test
     void aLinkThatTookTheNameOfAFileIsNotFollowed() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top.resolve("out"))) {
-            put(folder.createFrame(0), "old");
+            put(folder.createFrame(0, "png"), "old");
             put(folder.create("run.json"), "old");
         }
         Path elsewhere = Files.createDirectory(top.resolve("elsewhere"));

@@ -89,7 +89,7 @@ class FrameLayoutTest {
         private void check(ParticleSystem system, FrameState state) {
             boolean springs = setup.look().springs() != Visibility.NEVER && state.springs().count() > 0;
             List<Rectangle2D> words = new FrameText(setup, WIDTH, HEIGHT, 2).boxes(state, springs);
-            List<Rectangle2D> labels = new FrameMarks(view, setup.look().style()).boxes(state, sizes.ball());
+            List<Rectangle2D> labels = new FrameMarks(view, setup.look()).boxes(state, sizes.ball());
             String when = " at t = " + state.time();
             for (int k = 0; k < labels.size(); k++) {
                 Rectangle2D label = labels.get(k);

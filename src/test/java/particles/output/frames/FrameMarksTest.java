@@ -85,7 +85,7 @@ class FrameMarksTest {
     @Test
     void aLabelStandsBesideItsParticleAndInThePicture() {
         ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a label"));
-        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), RenderOptions.STANDARD.withStyle(style));
         Rectangle2D right = marks.boxes(state(style, 2), RADIUS).get(0);
         assertBetween(220, 230, right.getMinX());   // the ball ends at 220
         assertTrue(right.getMinY() < 100 && right.getMaxY() > 100, right.toString());
@@ -98,7 +98,7 @@ class FrameMarksTest {
     void labelsOfNeighboursStandClearOfEachOtherAndOfTheBalls() {
         ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a long label"),
                 new ParticleMark("plain", Optional.empty(), 0, "another one"));
-        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), RenderOptions.STANDARD.withStyle(style));
         for (double x = -3; x <= 5; x++) {
             List<Rectangle2D> boxes = marks.boxes(state(style, x), RADIUS);
             assertEquals(2, boxes.size());
@@ -118,7 +118,7 @@ class FrameMarksTest {
     @ValueSource(booleans = {true, false})
     void aLabelStandsClearOfTheSpringAndTheTrailOfItsBall(boolean spring) {
         ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a label"));
-        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), RenderOptions.STANDARD.withStyle(style));
         for (int k = 0; k < 24; k++) {
             double x = 3.5 * Math.cos(Math.PI * k / 12);
             double y = 3.5 * Math.sin(Math.PI * k / 12);
