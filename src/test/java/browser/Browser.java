@@ -6,7 +6,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
@@ -21,6 +23,8 @@ import particles.app.run.LabCommand;
 import particles.app.student.PageClasses;
 import particles.lab.LabBuilder;
 import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.spec.ClassNames;
 
 /** The lab's page, opened from the disk in Chromium; with a student's solver in it. */
 final class Browser implements AutoCloseable {
@@ -129,7 +133,9 @@ final class Browser implements AutoCloseable {
                 List<Path> scenes = SceneFiles.list(Path.of("scenes"));
                 Path own = Files.createTempDirectory(folder, "lab");
                 List<String> solvers = List.of(SOLVER, UNFINISHED);
-                String page = builder.build(new LabBuilder.Contents(scenes, LabCommand.pictures(scenes),
+                Map<Path, String> texts = new LinkedHashMap<>();
+                scenes.forEach(file -> texts.put(file, SceneReader.withFiles(file, ClassNames.none())));
+                String page = builder.build(new LabBuilder.Contents(texts, LabCommand.pictures(scenes),
                         SceneFiles.find(Path.of("scenes"), "2"), "", solvers,
                         PageClasses.compile(solvers, List.of(EFFECT), exercises, own)), own);
                 return Files.writeString(folder.resolve("index.html"), page);

@@ -3,7 +3,6 @@ package particles.lab;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collection;
-import java.util.List;
 import java.util.Map;
 
 /** Builds the lab's page. The implementation needs a compiler that only {@code gradle lab} downloads. */
@@ -12,14 +11,14 @@ public interface LabBuilder {
     /**
      * The content of the page.
      *
-     * @param scenes   its scenes
+     * @param scenes   the texts of its scenes
      * @param pictures small pictures of scenes, as PNG files
      * @param first    the one that it opens with
      * @param solver   the solver that it opens with, if it is not the scene's; else empty
      * @param solvers  the full names of students' solvers
      * @param classes  finds the classes of the page
      */
-    record Contents(List<Path> scenes, Map<Path, byte[]> pictures, Path first, String solver,
+    record Contents(Map<Path, String> scenes, Map<Path, byte[]> pictures, Path first, String solver,
             Collection<String> solvers, ClassLoader classes) {
     }
 

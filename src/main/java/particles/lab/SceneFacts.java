@@ -47,6 +47,8 @@ final class SceneFacts {
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
                 "surfaces", scenery.surfaces().stream().map(surface -> Map.of("triangles", surface.triangles(),
                 "ofSprings", surface.ofSprings())).toList(),
+                "lines", scenery.lines().stream().map(line -> List.of(line.from(), line.to(), line.colour())).toList(),
+                "remarks", description.remarks(),
                 "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.drawing().camera().ifPresent(camera -> facts.put("camera", Map.of(
                 "position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),
@@ -70,6 +72,8 @@ final class SceneFacts {
                 "radius", look.particleRadius(), "strainRange", look.strainRange(), "colours",
                 List.of(look.colours().particle(), look.colours().fixed(), look.colours().front(),
                 look.colours().back()),
+                "springColour", look.colours().springs().orElse(-1), "background",
+                look.colours().background().orElse(-1),
                 "kind", name(style.kind()), "ageColours", style.ageColours(), "trail", style.trail(),
                 "night", style.night(), "arrows", style.arrows(), "marks", marks);
     }
@@ -77,6 +81,7 @@ final class SceneFacts {
     private static Map<String, Object> mark(ParticleMark mark) {
         Map<String, Object> facts = Ordered.map("radius", mark.radius(), "label", mark.label());
         mark.colour().ifPresent(colour -> facts.put("colour", colour));
+        mark.trail().ifPresent(trail -> facts.put("trail", trail));
         return facts;
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -62,8 +63,10 @@ public final class LabCommand extends ProgramCommand {
         }
         Set<String> solvers = new TreeSet<>(List.of(solver));
         Set<String> effects = new TreeSet<>();
+        Map<Path, String> texts = new LinkedHashMap<>();
         for (Path file : scenes) {
             SceneDescription description = SceneReader.read(file, new StudentClasses());
+            texts.put(file, SceneReader.withFiles(file, new StudentClasses()));
             solvers.add(description.solver());
             description.values().get(SceneFormat.EFFECTS).stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
@@ -73,7 +76,7 @@ public final class LabCommand extends ProgramCommand {
         solvers.forEach(name -> made("solver", () -> SolverCatalog.create(name)));
         LabBuilder builder = builder();
         try (TemporaryFolder own = new TemporaryFolder("lab")) {
-            String page = builder.build(new LabBuilder.Contents(scenes, pictures(scenes), first, solver, solvers,
+            String page = builder.build(new LabBuilder.Contents(texts, pictures(scenes), first, solver, solvers,
                     PageClasses.compile(solvers, effects, exercises, own.getPath())), own.getPath());
             Files.createDirectories(PAGE.getParent());
             OutputFile.write(PAGE, page.getBytes(StandardCharsets.UTF_8));

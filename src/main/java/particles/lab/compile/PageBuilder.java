@@ -87,9 +87,9 @@ public final class PageBuilder implements LabBuilder {
 
     private static String scenes(Contents contents) throws IOException {
         StringBuilder all = new StringBuilder();
-        for (Path file : contents.scenes()) {
+        for (Path file : contents.scenes().keySet()) {
             String name = file.getFileName().toString();
-            String text = Files.readString(file);
+            String text = contents.scenes().get(file);
             String first = file.equals(contents.first()) ? first(name, text, contents) : "";
             byte[] picture = contents.pictures().getOrDefault(file, new byte[0]);
             all.append(PageParts.scene(name, text, first + " data-picture=\""

@@ -169,6 +169,9 @@ function opened(message) {
     showRecorded();
   }
   $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
+  if (facts.remarks.length) {
+    note(facts.remarks.join('; '));
+  }
   settings.show(facts, chosen.tolerance);
   setTimeout(() => message.run === player.run && facts === message.facts      // the picture comes first
     && showNumbers(0, [], facts));

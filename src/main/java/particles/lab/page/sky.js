@@ -55,8 +55,10 @@ export class Sky {
     this.mesh.renderOrder = -2;         // before all else
   }
 
-  setNight(night) {
-    for (const [name, colour] of Object.entries(night ? NIGHT : DAY)) {
+  /** background: a colour in place of the sky, or -1 */
+  setColours(night, background) {
+    const sky = background < 0 ? {} : {top: background, horizon: background, bottom: background};
+    for (const [name, colour] of Object.entries({...night ? NIGHT : DAY, ...sky})) {
       this.colours[name].value.setHex(colour, THREE.LinearSRGBColorSpace);      // the screen's, as shaders write them
     }
   }

@@ -12,8 +12,9 @@ export class Trails {
     this.samples = [];
   }
 
-  /** colours: one a particle, null where it has no trail */
-  place(state, time, ids, colours, duration) {
+  /** colours and durations: one a particle; the duration is 0 where it has no trail */
+  place(state, time, ids, colours, durations) {
+    const duration = Math.max(0, ...durations);
     const last = this.samples[this.samples.length - 1];
     if (last && time < last.time) {
       this.samples = [];
@@ -25,13 +26,13 @@ export class Trails {
     const positions = [], faded = [];
     for (const [i, id] of ids.entries()) {
       let to = [...state.subarray(6 * i, 6 * i + 3)], toTime = time;
-      for (let k = this.samples.length - 1; colours[i] && to && k >= 0; k--) {
+      for (let k = this.samples.length - 1; to && time - toTime < durations[i] && k >= 0; k--) {
         const from = this.samples[k].places.get(id), fromTime = this.samples[k].time;
         if (from) {
           positions.push(...from, ...to);
           for (const end of [fromTime, toTime]) {
             const {r, g, b} = colours[i];
-            faded.push(r, g, b, TRAIL_OPACITY * (1 - (time - end) / duration));
+            faded.push(r, g, b, TRAIL_OPACITY * Math.max(0, 1 - (time - end) / durations[i]));
           }
         }
         [to, toTime] = [from, fromTime];

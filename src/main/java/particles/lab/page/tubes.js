@@ -8,7 +8,8 @@ const MOST_COILS = 40, SOFT = 0.01;      // a spring is far softer below this pa
 const PIECES_OF_TURN = 10;
 const STRAIGHT = 0.07, WIDE = 0.11;     // of a coil's length: a straight end; from where it has its full radius
 // radii, in radii of balls
-const TUBE = 0.3, RAILING = 0.2, BAR = 0.34, COIL = 0.62, COILED = 0.13;
+export const RAILING = 0.2;
+const TUBE = 0.3, BAR = 0.34, COIL = 0.62, COILED = 0.13;
 
 /** Any number of copies of a shape, each with its own place and colour. */
 export class Copies {
@@ -59,7 +60,7 @@ export class Copies {
 }
 
 /** Straight tubes. */
-class Tubes extends Copies {
+export class Tubes extends Copies {
   constructor() {
     super(new THREE.CylinderGeometry(1, 1, 1, 5, 1, true).translate(0, 0.5, 0), solid({}));
     Object.assign(this, {matrix: new THREE.Matrix4(), along: new THREE.Vector3(), across: new THREE.Vector3(),
@@ -90,9 +91,10 @@ export function wire(points, ball) {
  * springs between fixed particles, are bars.
  */
 export class Springs extends Tubes {
-  /** stiffness: of all springs when the scene is opened (N/m) */
-  constructor({stiffness}) {
+  /** stiffness: of all springs when the scene is opened (N/m); own: a colour instead of the strain's, or -1 */
+  constructor({stiffness}, own) {
     super();
+    this.own = own < 0 ? null : new THREE.Color(own);
     const soft = SOFT * stiffness.reduce((most, one) => one < Infinity ? Math.max(most, one) : most, 0);
     this.coilBelow = stiffness.length <= MOST_COILS ? Infinity
         : stiffness.filter(one => one < soft).length <= MOST_COILS ? soft : 0;
@@ -110,9 +112,9 @@ export class Springs extends Tubes {
       if (stiffness[s] === Infinity || fixed[i] && fixed[j]) {
         this.join(a, b, BAR * ball, ROD);
       } else if (stiffness[s] < this.coilBelow && rest > 0 && length > 4 * COILED * ball) {
-        this.coil(a, b, rest, ball, strainColour(strain), back);
+        this.coil(a, b, rest, ball, this.own ?? strainColour(strain), back);
       } else {
-        this.join(a, b, TUBE * ball, strainColour(strain));
+        this.join(a, b, TUBE * ball, this.own ?? strainColour(strain));
       }
     }
   }

@@ -8,7 +8,7 @@ import {Ground, scenery} from './scenery.js';
 import {Sky, solid} from './sky.js';
 import {Surface, cornersOfClosed} from './surface.js';
 import {Trails} from './trails.js';
-import {Copies, Springs} from './tubes.js';
+import {Copies, RAILING, Springs, Tubes} from './tubes.js';
 
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
@@ -96,16 +96,18 @@ class View {
     this.shine();
     const hemisphere = new THREE.HemisphereLight();
     hemisphere.position.copy(up);
-    this.springs = new Springs(structure);
+    this.springs = new Springs(structure, facts.look.springColour);
     this.trails = new Trails();
     this.blobs = new Blobs(facts.look.colours[0]);
     this.blobs.object.visible = facts.look.kind === 'blobs';
-    this.trails.object.visible = facts.look.trail > 0;
+    this.hasTrails = [facts.look, ...Object.values(facts.look.marks)].some(({trail}) => trail > 0);
+    this.trails.object.visible = this.hasTrails;
+    this.lines = new Tubes();
     this.surfaces = facts.surfaces.map(surface => new Surface(surface, facts.look.colours.slice(2)));
     this.balls = new Copies(new THREE.SphereGeometry(1, 16, 12), solid({}));
     this.areMany = false;
     this.spots = new Copies(new THREE.PlaneGeometry(2, 2), glow(), false);
-    this.scene.add(hemisphere, this.sky.mesh, this.springs.object, this.trails.object, this.blobs.object,
+    this.scene.add(hemisphere, this.sky.mesh, this.springs.object, this.trails.object, this.blobs.object, this.lines.object,
         this.balls.object, this.spots.object, ...this.grounds.map(ground => ground.mesh),
         ...this.surfaces.map(surface => surface.object), ...scenery(facts, this.ball, reach));
     this.resize();
@@ -225,10 +227,23 @@ class View {
     this.surfaces.forEach(surface => surface.place(state));
     this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.ball,
         this.camera.camera.getWorldDirection(new THREE.Vector3()).negate());
-    if (look.trail > 0) {
-      const colours = this.structure.ids.map((id, i) => this.isShown[i] && !fixed[i]
-          ? new THREE.Color(look.marks[id]?.colour ?? look.colours[0]) : null);
-      this.trails.place(state, time, this.structure.ids, colours, look.trail);
+    this.placeLines(state);
+    if (this.hasTrails) {
+      const {ids} = this.structure;
+      this.trails.place(state, time, ids, ids.map(id => new THREE.Color(look.marks[id]?.colour ?? look.colours[0])),
+          ids.map((id, i) => this.isShown[i] && !fixed[i] ? look.marks[id]?.trail ?? look.trail : 0));
+    }
+  }
+
+  /** Lines between particles that are still there. */
+  placeLines(state) {
+    this.lines.clear();
+    for (const [from, to, colour] of this.facts.lines) {
+      const [a, b] = [from, to].map(id => this.structure.ids.indexOf(id));
+      if (a >= 0 && b >= 0) {
+        this.lines.join(new THREE.Vector3().fromArray(state, 6 * a), new THREE.Vector3().fromArray(state, 6 * b),
+            RAILING * this.ball, this.colour.set(colour));
+      }
     }
   }
 
@@ -323,7 +338,7 @@ class View {
     this.renderer.setSize(this.element.clientWidth, this.element.clientHeight);
     this.camera.resize();
     const dark = this.facts?.look.night || matchMedia('(prefers-color-scheme: dark)').matches;
-    this.sky?.setNight(dark);
+    this.sky?.setColours(dark, this.facts.look.background);
     this.stale = true;
   }
 }
