@@ -10,7 +10,7 @@ import particles.output.painters.FrameState;
 import particles.output.painters.FrameState.FrameStructure;
 import particles.view.ParticleStyle.ParticleMark;
 
-/** An observer that writes motion files: frame i is at time i / rate, as in pictures, interpolated between steps. */
+/** An observer that writes motion files: frame i is at time i / rate, interpolated between steps. */
 public final class MotionRecorder implements Observer, AutoCloseable {
     /** A clock that is early by this part of a frame's time is so by round-off. */
     private static final double ROUNDING = 1e-9;
@@ -43,11 +43,12 @@ public final class MotionRecorder implements Observer, AutoCloseable {
         return frame / rate;
     }
 
+    /** A frame at the end of a step waits for the rules, as in the trajectory: it is the beginning of the next one. */
     @Override
     public void moved(Motion motion) {
         double[] between = new double[motion.getEndState().length];
-        while (getNextTime() <= motion.getEndTime()) {
-            motion.interpolate(getNextTime(), between);
+        while (frame < motion.getEndTime() * rate - ROUNDING) {
+            motion.interpolate(Math.max(motion.getStartTime(), getNextTime()), between);
             write(motion.getSystem(), between);
         }
     }

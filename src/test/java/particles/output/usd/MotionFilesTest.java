@@ -229,6 +229,23 @@ class MotionFilesTest {
         }
     }
 
+    /** A frame at every step: after the rule that puts the ball on the ground, as in the trajectory, never below it. */
+    @Test
+    void aFrameAtTheEndOfAStepIsTheStateAfterRules() {
+        Scene scene = TestScenes.build("""
+                {title: Drop, teaches: rules, solver: rk4, deltaT: 0.01, duration: 0.6, effects: [gravity],
+                particles: [{id: ball, position: [0, 0.1, 0]}], rules: [ground: {restitution: 0.7}]}""");
+        List<Double> heights = new ArrayList<>();
+        try (MotionRecorder recorder = new MotionRecorder(100, List.of(),
+                List.of((frame, state) -> heights.add(state.place(0).y())))) {
+            scene.simulation().addObserver(recorder);
+            scene.simulation().run();
+        }
+        assertEquals(61, heights.size());
+        assertTrue(heights.stream().allMatch(y -> y >= 0), heights.toString());     // before the rule -0.04 m
+        assertTrue(heights.contains(0.0), "it bounces");
+    }
+
     @Test
     void nothingIsLeftBesideTheFiles() throws IOException {
         try (Stream<Path> files = Files.list(top)) {
