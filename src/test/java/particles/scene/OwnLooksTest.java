@@ -97,7 +97,7 @@ class OwnLooksTest {
         assertTrue(Arrays.stream(blue).allMatch(rgb -> (rgb >> 16 & 255) <= (rgb & 255)));
     }
 
-    /** A square of 2 of 3 m: (80/120)^2 of the picture, whatever way round; its front is on the side it is seen from. */
+    /** Half a square of 80 x 80 pixels; counter-clockwise corners show the front. */
     @Test
     void listedFacesAreASurfaceWithTwoSides() {
         String still = PLAIN.formatted(", frontColour: '#ff0000', backColour: '#0000ff'");
