@@ -3,8 +3,6 @@ package browser;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.catalog.SolverCatalog;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -136,8 +134,8 @@ class SameResultsTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void twoSecondsOfASceneAreTheSame(Path scene) throws IOException {
-        Run run = new Run(scene.toString(), Files.readString(scene), "", SECONDS);
+    void twoSecondsOfASceneAreTheSame(Path scene) {
+        Run run = new Run(scene.toString(), SceneReader.withFiles(scene, ClassNames.none()), "", SECONDS);
         List<String> found = inThePage(List.of(run)).get(0);
         assertEquals("", found.get(0));
         assertEquals("", difference(run, found, SAME_BITS.contains(run.number()),
@@ -146,8 +144,8 @@ class SameResultsTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void threeStepsAreTheSameWithEverySolver(Path scene) throws IOException {
-        String text = Files.readString(scene);
+    void threeStepsAreTheSameWithEverySolver(Path scene) {
+        String text = SceneReader.withFiles(scene, ClassNames.none());
         double time = FEW_STEPS * SceneReader.read(scene).deltaT();
         List<Run> runs = SolverCatalog.names().stream().map(solver -> new Run(scene.toString(), text, solver, time))
                 .toList();

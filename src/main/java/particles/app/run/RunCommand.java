@@ -17,6 +17,7 @@ import particles.app.student.StudentClasses;
 import particles.engine.ParallelForces;
 import particles.lab.PageParts;
 import particles.output.files.OutputFolder;
+import particles.output.usd.UsdFile;
 import particles.scene.BlowUpMessage;
 import particles.scene.Overrides;
 import particles.scene.RunLimits;
@@ -185,6 +186,10 @@ public final class RunCommand extends ResultsCommand {
             observers.writeReplay(name, text, early.orElse("")).ifPresent(out::println);
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
+            if (usd) {
+                out.println(UsdFile.FILE + ": "
+                        + Digits.few(getFolder().resolve(UsdFile.FILE).toFile().length() / 1e6) + " MB");
+            }
             if (description.output().phase().isEmpty()) {
                 out.println("no phase.png: under 'output', the scene names no particle for it");
             }
