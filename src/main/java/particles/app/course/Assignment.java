@@ -63,7 +63,7 @@ record Assignment(Optional<OffsetDateTime> deadline, Shows shows, Numbers number
     private static final Key<Numbers> NUMBERS = NameType.of("choice", Numbers.class).withDefault("numbers", Numbers.ID,
             "Where the numbers of exercises come from.");
     private static final Key<Map<String, Double>> EXERCISES = new MapType<>(new TextType("the number of an exercise",
-            Pattern.compile("^(" + String.join("|", ALL) + ")$"), true), POINTS)
+            Pattern.compile("^(" + String.join("|", ALL) + ")$"), true, 2), POINTS)
             .withDefault("exercises", ALL.stream().collect(Collectors.toMap(n -> n, n -> 1.0)),
             "The weight of each exercise that counts.");
     private static final Key<String> METHOD = NameType.of("method", AskedMethods.NAMES).withDefault("method",

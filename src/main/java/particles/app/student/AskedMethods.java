@@ -3,7 +3,9 @@ package particles.app.student;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -30,7 +32,7 @@ public final class AskedMethods {
     public static String refusal(String name) {
         return SolverCatalog.find(name).map(solver -> "'" + name + "' cannot be asked for: the check sees whether"
                 + " such a method is right, but cannot tell it from others of its kind; write "
-                + (solver.family() == Family.MULTISTEP ? "multistep" : ANY))
+                + Optional.of(solver.family().name().toLowerCase(Locale.ROOT)).filter(METHODS::containsKey).orElse(ANY))
                 .orElseGet(() -> Wording.unknown("method", name, NAMES, List.of()));
     }
 

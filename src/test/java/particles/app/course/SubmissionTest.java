@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.OtherSystems;
 import particles.spec.messages.InvalidInputException;
 
 /** Of a hand-in, only the student's own files count. */

@@ -115,8 +115,8 @@ class OutputFolderTest {
     void aResultThatAnotherProgramShowsKeepsTheOthers() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top)) {
             put(folder.create("energy.png"), "old");
-            put(folder.createFrame(0), "old");
-            put(folder.createFrame(1), "old");
+            put(folder.createFrame(0, "png"), "old");
+            put(folder.createFrame(1, "png"), "old");
         }
         Set<String> before = filesOf(top);
         for (String name : List.of("energy.png", "frames/frame-00001.png")) {
