@@ -14,7 +14,6 @@ import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
 import particles.output.animation.GifAnimation;
@@ -121,7 +120,7 @@ public final class RaceCommand extends ExperimentCommand {
         double drawing = FRAME * count;
         double begin = CpuClock.ofAllThreads();
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration())) {
-            Result race = new Race(scene.get(), solvers, count, Outcome::seconds).run(pictures,
+            Result race = new Race(scene.get(), solvers, count).run(pictures,
                     (part, what) -> {
                         double ran = CpuClock.ofAllThreads() - begin;
                         progress.reached(part > 0 ? ran / (ran / part + drawing) : 0, what);
@@ -136,13 +135,9 @@ public final class RaceCommand extends ExperimentCommand {
         double speed = race.duration() * PLAYBACK / count;
         String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
                 .orElse("rk4 at the scene's step");
-        String rule = race.equalTime()
-                ? "All run for the same measured time, as long as " + pace + """
-                         needs: an implicit solver does more than evaluate the derivative, so that equal evaluations \
-                        would not be fair. Times are CPU times: medians of interleaved runs after a warm-up."""
-                : "All get as many evaluations of the derivative as " + pace
-                        + " needs, to within one step or 1 % unless the title says otherwise: a cheap method makes more"
-                        + " and shorter steps, an adaptive one gets the tolerance that costs as much.";
+        String rule = "All get as many evaluations of the derivative as " + pace + """
+                 needs, to within one step or 1 %: a cheap method makes more and shorter steps, an adaptive one gets \
+                the tolerance that costs as much, and what an implicit one evaluates for Jacobians counts.""";
         return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + """
                         . The chart shows the energy error of each solver, physics taken out, over the energy \
@@ -223,7 +218,7 @@ public final class RaceCommand extends ExperimentCommand {
         ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
             List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
                     lane.label(), lane.look(), RaceCharts.mean(lane), step(lane) + ", "
-                    + cost(lane, race.equalTime()), lane.left())).toList();
+                    + lane.drift().outcome().evaluations() + " evaluations", lane.left())).toList();
             RaceFilm.Head head = new RaceFilm.Head(RaceCharts.title(race), "Beside each solver: its distance from the"
                     + " grey ghost, root mean square. The ghost is " + Race.REFERENCE + ".", words);
             Chart strip = new Chart(Axis.TIME, Axis.log("|energy error|", "%"), RaceCharts.energy(race).series());
@@ -235,11 +230,6 @@ public final class RaceCommand extends ExperimentCommand {
         private static String step(Lane lane) {
             return lane.match().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
                     "deltaT = " + Digits.few(lane.match().setting().deltaT(), 2) + " s");
-        }
-
-        private static String cost(Lane lane, boolean equalTime) {
-            return equalTime ? Digits.few(1000 * lane.match().seconds()) + " ms"
-                    : lane.drift().outcome().evaluations() + " evaluations";
         }
 
         @Override

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.Motion;
@@ -16,7 +15,6 @@ import particles.SimulationException;
 import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
-import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.EqualWork.Match;
 import particles.experiments.runs.EqualWork.Shares;
@@ -33,15 +31,13 @@ import particles.view.Look;
 
 /**
  * A race of solvers on one scene: all do the same work, and the solver that stays nearest to a very accurate run wins.
- * Work is counted in evaluations of the derivative, or in time if implicit solvers take part, whose work is more than
- * evaluations.
+ * Work is counted in evaluations of the derivative, those for Jacobians included.
  *
  * @param scene   the scene, with the duration of the race; rk4 at its step sets the work of all
  * @param solvers the solvers that take part; one that cannot do with so little work sets the work of all
  * @param frames  the number of parts into which the duration is divided, 1 or more
- * @param clock   measures the time of a run (s), such as its CPU time
  */
-public record Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
+public record Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
     private static final double REFERENCE_TOLERANCE = 1e-11;
     /** The reference in words. */
     public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
@@ -93,13 +89,12 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      * @param scene     the scene's title
      * @param duration  the duration of the race (s)
      * @param times     the times of the frames (s)
-     * @param equalTime whether all take the same time instead of the same number of evaluations
      * @param shares    the work of each solver, and the solver that cannot do with less
      * @param scale     the energy scale by which errors are divided (J)
      * @param reference its states at the frames' times
      * @param lanes     the run of each solver
      */
-    public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
+    public record Result(String scene, double duration, double[] times, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
     }
 
@@ -118,18 +113,15 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         Extent extent = new Extent();
         double scale = runReference(reference, extent);
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
-        boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
         // measured: the reference takes a tenth of the time, the search a third, the reference's frames a fifth
-        ProgressListener first = progress.part(0.1, 0.4);
-        Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, first)
-                : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, first);
+        Shares shares = EqualWork.ofFrames(scene, evaluations, frames).share(solvers, progress.part(0.1, 0.4));
         Scene again = SceneRun.build(scene, tight());
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
         List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
                 lane(match, rate, scale, reference.states, extent, factory)).toList();
         List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> 1, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
-        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states, lanes);
+        return new Result(scene.title(), scene.duration(), times, shares, scale, reference.states, lanes);
     }
 
     /**

@@ -11,7 +11,6 @@ import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
-import particles.experiments.runs.EqualTime;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -21,11 +20,6 @@ import particles.view.Series.Mark;
 /** Charts and tables of a race. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
-    /**
-     * Times of the same run differ by some percent; a solver that takes this many times as long had more
-     * than equal work.
-     */
-    private static final double TOO_MUCH = 1.2;
 
     private RaceCharts() {
     }
@@ -35,7 +29,7 @@ public final class RaceCharts {
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static Chart energy(Result race) {
-        return DriftCharts.sizes(new Comparison(race.scene(), race.scale(), !race.equalTime(), true,
+        return DriftCharts.sizes(new Comparison(race.scene(), race.scale(), true, true,
                 race.lanes().stream().map(Lane::drift).toList())).named("energy-error");
     }
 
@@ -66,26 +60,11 @@ public final class RaceCharts {
 
     /**
      * @param race the result of the race
-     * @return the work of each, such as {@code equal work, 1000 evaluations for the whole race}, and how nearly equal
-     *         it was
-     */
-    public static String work(Result race) {
-        double work = race.shares().work();
-        if (!race.equalTime()) {
-            return Digits.format("equal work, %d evaluations for the whole race", Math.round(work));
-        }
-        double spread = EqualTime.spread(race.shares());
-        return spread > TOO_MUCH - 1 ? Digits.format("no equal time, up to %.3g times as long", 1 + spread)
-                : Digits.format("equal time, %.3g ms each to within %.0f %%", 1000 * work,
-                        Math.ceil(100 * spread));
-    }
-
-    /**
-     * @param race the result of the race
-     * @return the scene and the kind of equal work
+     * @return the scene and the work of each solver
      */
     public static String title(Result race) {
-        return race.scene() + ": " + work(race);
+        return Digits.format("%s: equal work, %d evaluations for the whole race", race.scene(),
+                race.shares().work());
     }
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
@@ -103,7 +82,6 @@ public final class RaceCharts {
                 column("deltaT (s)", lane -> lane.match().setting().deltaT()),
                 column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),
-                column("time (ms)", 3, lane -> 1000 * lane.match().seconds()),
                 column("distance, rms (m)", 3, RaceCharts::rms),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),

@@ -18,15 +18,15 @@ import particles.scene.format.SceneDescription;
  */
 public record EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
     /** A solver that costs this many times the target does not raise the others' share. */
-    static final double MOST_RAISE = 30;
+    private static final double MOST_RAISE = 30;
     /** More by this part is no reason to raise the others' share: with contacts a shorter step may cost less. */
     private static final double NEAR = 0.01;
     private static final int TRIALS = 14;
     private static final long FEW = 1000;
     /** The loosest tolerance that makes sense. */
-    static final double LOOSEST = 0.1;
+    private static final double LOOSEST = 0.1;
     /** A solver that fails with a loose tolerance, or is slow with it, may do with a tighter one down to this. */
-    static final double LEAST_LOOSE = 1e-4;
+    private static final double LEAST_LOOSE = 1e-4;
     private static final double TIGHTEST = 1e-13;
     /**
      * The largest number of steps of an adaptive solver, and the evaluations for each; it divides them into sub-steps.
@@ -41,22 +41,21 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
     /**
      * @param setting     the solver and its step or tolerance
      * @param evaluations the cost, in evaluations of the derivative
-     * @param seconds     the time, the median of several runs (s); NaN if times were not compared
      * @param steps       the number of its steps
      * @param aStep       the mean number of evaluations in one of its steps
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
-    public record Match(Setting setting, long evaluations, double seconds, long steps, double aStep, boolean whole) {
+    public record Match(Setting setting, long evaluations, long steps, double aStep, boolean whole) {
     }
 
     /**
      * The shares of several solvers.
      *
      * @param matches the setting of each solver
-     * @param work    the evaluations, or seconds, that each was to cost
+     * @param work    the evaluations that each was to cost
      * @param slowest the solver that cannot do with less, if that is more than was asked for
      */
-    public record Shares(List<Match> matches, double work, Optional<SolverChoice> slowest) {
+    public record Shares(List<Match> matches, long work, Optional<SolverChoice> slowest) {
     }
 
     /**
@@ -100,10 +99,10 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
             return byStep(solver, target);
         }
         long steps = adaptiveSteps.get(0);
-        Match best = byTolerance(solver, steps, LOOSEST, target);
+        Match best = byTolerance(solver, steps, target);
         while (steps > 1 && best.evaluations() - target > best.aStep()) {
             steps /= 2;
-            best = better(best, byTolerance(solver, steps, LOOSEST, target), target);
+            best = better(best, byTolerance(solver, steps, target), target);
         }
         return best;
     }
@@ -113,20 +112,19 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
      * dense at any tolerance; other lengths are tried if its cost jumps over the wanted one from one tolerance to the
      * next.
      *
-     * @param solver  the solver
-     * @param loosest the loosest tolerance to try
-     * @param wanted  evaluations, 1 or more
+     * @param solver the solver
+     * @param wanted evaluations, 1 or more
      * @return the setting with the nearest cost; for an implicit solver one whose run reaches its end, if there is one
      */
-    Match find(SolverChoice solver, double loosest, long wanted) {
+    private Match find(SolverChoice solver, long wanted) {
         if (!solver.adaptive()) {
             Match match = byStep(solver, wanted);
             return match.whole() || !solver.implicit() ? match : shortened(match);
         }
-        Match best = byTolerance(solver, adaptiveSteps.get(0), loosest, wanted);
-        boolean least = best.evaluations() > wanted && best.setting().tolerance().equals(Optional.of(loosest));
+        Match best = byTolerance(solver, adaptiveSteps.get(0), wanted);
+        boolean least = best.evaluations() > wanted && best.setting().tolerance().equals(Optional.of(LOOSEST));
         for (int k = 1; k < adaptiveSteps.size() && !least && off(best, wanted) >= best.aStep(); k++) {
-            best = better(best, byTolerance(solver, adaptiveSteps.get(k), loosest, wanted), wanted);
+            best = better(best, byTolerance(solver, adaptiveSteps.get(k), wanted), wanted);
         }
         return best;
     }
@@ -164,7 +162,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
             // there may be more rounds, each with half of what is left
             List<Match> matches = progress.part(1 - left, 1 - left / 2).onAllCores(solvers, solver -> 1, solver ->
                     "equal work for " + solver.label(), solver -> fixed.filter(match -> match.setting().solver()
-                    .equals(solver)).orElseGet(() -> find(solver, LOOSEST, least)));
+                    .equals(solver)).orElseGet(() -> find(solver, least)));
             left /= 2;
             double most = MOST_RAISE * target;
             Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
@@ -198,9 +196,9 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
     /**
      * Searches over the tolerance by bisection of its exponent, if the loosest one does not cost too much.
      */
-    private Match byTolerance(SolverChoice solver, long steps, double loosest, long wanted) {
+    private Match byTolerance(SolverChoice solver, long steps, long wanted) {
         long most = Math.round(MOST_RAISE * wanted) + FEW;
-        double first = loosest;
+        double first = LOOSEST;
         Match best = measure(setting(solver, steps, first), most);
         while (!best.whole() && first > 2 * LEAST_LOOSE) {
             first /= 10;
@@ -223,15 +221,6 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         return best;
     }
 
-    /**
-     * @param solver    an adaptive one
-     * @param tolerance its tolerance
-     * @return the setting, with the first choice of steps
-     */
-    Setting setting(SolverChoice solver, double tolerance) {
-        return setting(solver, adaptiveSteps.get(0), tolerance);
-    }
-
     private Setting setting(SolverChoice solver, long steps, double tolerance) {
         return new Setting(solver, scene.duration() / steps, Optional.of(tolerance));
     }
@@ -251,7 +240,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), most, List.of());
         double part = outcome.whole() ? 1
                 : Math.max(outcome.endTime(), Math.min(setting.deltaT(), scene.duration())) / scene.duration();
-        return new Match(setting, Math.round(outcome.evaluations() / part), Double.NaN, outcome.steps(),
+        return new Match(setting, Math.round(outcome.evaluations() / part), outcome.steps(),
                 Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), outcome.whole());
     }
 }
