@@ -11,7 +11,6 @@ import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
-import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
@@ -51,8 +50,6 @@ public final class RaceCommand extends ExperimentCommand {
      * cloth, is over its first part unless a duration is asked for.
      */
     private static final double MOST_WORK = 1e7;
-    /** Measured: the CPU time that a frame of the film takes, with five panels (s). */
-    private static final double FRAME = 0.09;
 
     @Mixin
     private final SceneOptions options = new SceneOptions();
@@ -117,17 +114,11 @@ public final class RaceCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<SolverChoice> solvers = options.solvers();
         int count = frameCount(scene.get());
-        double drawing = FRAME * count;
-        double begin = CpuClock.ofAllThreads();
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration())) {
-            Result race = new Race(scene.get(), solvers, count).run(pictures,
-                    (part, what) -> {
-                        double ran = CpuClock.ofAllThreads() - begin;
-                        progress.reached(part > 0 ? ran / (ran / part + drawing) : 0, what);
-                    });
-            double runs = CpuClock.ofAllThreads() - begin;
+            Result race = new Race(scene.get(), solvers, count).run(pictures, progress.part(0, 0.5));
+            ProgressListener drawing = progress.part(0.5, 1);
             return page(race, count, pictures.write(folder, race, part ->
-                    progress.reached((runs + drawing * part) / (runs + drawing), "drawing the animation")));
+                    drawing.reached(part, "drawing the animation")));
         }
     }
 

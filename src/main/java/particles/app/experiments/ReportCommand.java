@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import particles.Motion;
 import particles.Observer;
@@ -50,11 +49,6 @@ public final class ReportCommand extends ResultsCommand {
     private static final String DURATION_OPTION = "--duration";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
-    /** What each experiment takes (s): between its CPU time and the time that it took on two quiet cores. */
-    private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
-            "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
-    /** The part of the time that writing the page takes. */
-    static final double PAGE = 0.08;
     /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
     private static final double ENOUGH = 1.5;
     private static final int MOST_LINES = 8;
@@ -116,14 +110,12 @@ public final class ReportCommand extends ResultsCommand {
         long begin = System.nanoTime();
         about.get().filter(scene -> duration == null && chosen.stream().anyMatch(one -> has(one, DURATION_OPTION)))
                 .ifPresent(scene -> shorten(scene, lines));
-        ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one);
         chosen.forEach(this::prepare);
-        PrintedProgress progress = new PrintedProgress(lines, System::nanoTime, scene == null);
+        ProgressListener progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            sections = progress.part(0, 1 - PAGE).parts(chosen, cost, (experiment, part) ->
+            sections = progress.parts(chosen, (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
-            progress.reached(1 - PAGE, "writes the page");
             new Report(title(), text(), sections, Digits.format("Made by gradle report of DESolver %s in %.0f s.",
                     Program.VERSION, (System.nanoTime() - begin) * NANO)).write(folder, FILE);
         }
@@ -134,11 +126,6 @@ public final class ReportCommand extends ResultsCommand {
         lines.println();
         lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", (System.nanoTime() - begin) * NANO,
                 getFolder().resolve(FILE));
-    }
-
-    /** @return what an experiment of the course takes (s) */
-    static double seconds(ExperimentCommand experiment) {
-        return SECONDS.getOrDefault(experiment.name(), 1);
     }
 
     /** Takes the first part of a scene whose accurate runs would take too long. */

@@ -88,7 +88,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     /** All runs take turns, round by round, so that other work on the machine slows down one round of many. */
     private List<Curve> curves(List<WorkProblem> problems, ProgressListener progress) {
         double part = 1.0 / WorkPrecision.ROUNDS;
-        List<Curve> curves = progress.part(0, part).parts(problems, solved -> 1, (solved, some) -> some.each(choices,
+        List<Curve> curves = progress.part(0, part).parts(problems, (solved, some) -> some.each(choices,
                 choice -> choice.label() + " on " + solved.name(), choice ->
                         new WorkPrecision(solved, choice).curve())).stream().flatMap(List::stream).toList();
         for (int round = 1; round < WorkPrecision.ROUNDS; round++) {

@@ -122,7 +122,7 @@ public final class EnergyDrift {
         long target = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         EqualWork work = new EqualWork(scene, target);
         // measured: the scale takes nearly half of the time
-        List<Drift> drifts = progress.part(0.45, 1).onAllCores(solvers, solver -> 1, SolverChoice::label, solver -> {
+        List<Drift> drifts = progress.part(0.45, 1).onAllCores(solvers, SolverChoice::label, solver -> {
             Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
             return measure(SceneRun.build(scene, setting), setting, scale, List.of());
         });

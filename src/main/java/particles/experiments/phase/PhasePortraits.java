@@ -29,8 +29,6 @@ import particles.view.Series.Mark;
 public final class PhasePortraits {
     private static final double REFERENCE_TOLERANCE = 1e-10;
     private static final String REFERENCE = "reference";
-    /** Measured, on cloth and on a gas: the reference takes as long as so many of the other runs. */
-    private static final int REFERENCE_COST = 12;
     /**
      * A path that goes farther out than this many times the curve leaves the picture; otherwise all else would
      * shrink to a dot.
@@ -72,8 +70,7 @@ public final class PhasePortraits {
             List<Coordinate> axes, Optional<String> about, ProgressListener progress) {
         List<Setting> settings = new ArrayList<>(List.of(Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE)));
         solvers.forEach(solver -> settings.add(Setting.of(solver, scene.deltaT())));
-        List<Run> all = progress.onAllCores(settings, setting -> setting == settings.get(0) ? REFERENCE_COST : 1,
-                Setting::label, setting -> setting == settings.get(0)
+        List<Run> all = progress.onAllCores(settings, Setting::label, setting -> setting == settings.get(0)
                 ? run(scene, setting, REFERENCE, Look.REFERENCE, particles, about)
                 : run(scene, setting, setting.label(), setting.solver().look(), particles, about));
         Run reference = all.get(0);

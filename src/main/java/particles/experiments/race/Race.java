@@ -119,7 +119,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
         List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
                 lane(match, rate, scale, reference.states, extent, factory)).toList();
-        List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> 1, run -> "the race", Supplier::get);
+        List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
         return new Result(scene.title(), scene.duration(), times, shares, scale, reference.states, lanes);
     }

@@ -2,7 +2,6 @@ package particles.experiments.runs;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.time.Duration;
 import java.util.List;
 
 /** Measures CPU time, which does not include other work on the machine. */
@@ -25,11 +24,5 @@ public final class CpuClock {
     public static double seconds() {
         return NANO * (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime()
                 : System.nanoTime());
-    }
-
-    /** @return CPU time of all threads of the program together (s) */
-    public static double ofAllThreads() {
-        return NANO * ProcessHandle.current().info().totalCpuDuration().map(Duration::toNanos)
-                .orElseGet(System::nanoTime);
     }
 }

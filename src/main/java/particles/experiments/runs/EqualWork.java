@@ -160,7 +160,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
             Optional<Match> fixed = slowest;
             long least = fixed.map(Match::evaluations).orElse(target);
             // there may be more rounds, each with half of what is left
-            List<Match> matches = progress.part(1 - left, 1 - left / 2).onAllCores(solvers, solver -> 1, solver ->
+            List<Match> matches = progress.part(1 - left, 1 - left / 2).onAllCores(solvers, solver ->
                     "equal work for " + solver.label(), solver -> fixed.filter(match -> match.setting().solver()
                     .equals(solver)).orElseGet(() -> find(solver, least)));
             left /= 2;

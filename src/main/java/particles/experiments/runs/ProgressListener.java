@@ -2,10 +2,9 @@ package particles.experiments.runs;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.DoubleAdder;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 
 /** Receives the progress of an experiment. */
 public interface ProgressListener {
@@ -30,7 +29,7 @@ public interface ProgressListener {
      * @return the results
      */
     default <T, R> List<R> each(List<T> items, Function<T, String> name, Function<T, R> task) {
-        return parts(items, item -> 1, (item, part) -> {
+        return parts(items, (item, part) -> {
             part.reached(0, name.apply(item));
             return task.apply(item);
         });
@@ -40,16 +39,14 @@ public interface ProgressListener {
      * Does a task for each item, one after the other.
      *
      * @param items the items
-     * @param cost  the time that an item takes, in any unit; asked again before each: an item that failed takes none
      * @param task  the task, which receives the progress of its part
      * @return the results
      */
-    default <T, R> List<R> parts(List<T> items, ToDoubleFunction<T> cost, BiFunction<T, ProgressListener, R> task) {
+    default <T, R> List<R> parts(List<T> items, BiFunction<T, ProgressListener, R> task) {
         List<R> results = new ArrayList<>();
         for (T item : items) {
-            double all = items.stream().mapToDouble(cost).sum();
-            double done = items.subList(0, results.size()).stream().mapToDouble(cost).sum();
-            results.add(task.apply(item, part(done / all, (done + cost.applyAsDouble(item)) / all)));
+            double done = results.size();
+            results.add(task.apply(item, part(done / items.size(), (done + 1) / items.size())));
         }
         return results;
     }
@@ -58,15 +55,12 @@ public interface ProgressListener {
      * Does a task for each item, several at a time. The tasks must not share anything that one of them changes.
      *
      * @param items the items
-     * @param cost  the time that an item takes, in any unit
      * @param name  names an item that is done
      * @param task  the task; an exception of it ends all
      * @return the results, in the order of the items
      */
-    default <T, R> List<R> onAllCores(List<T> items, ToDoubleFunction<T> cost, Function<T, String> name,
-            Function<T, R> task) {
-        double all = items.stream().mapToDouble(cost).sum();
-        DoubleAdder done = new DoubleAdder();
+    default <T, R> List<R> onAllCores(List<T> items, Function<T, String> name, Function<T, R> task) {
+        AtomicInteger done = new AtomicInteger();
         ClassLoader classes = Thread.currentThread().getContextClassLoader();      // it finds a student's classes
         return items.parallelStream().map(item -> {
             Thread worker = Thread.currentThread();
@@ -75,8 +69,7 @@ public interface ProgressListener {
             try {
                 R result = task.apply(item);
                 synchronized (done) {
-                    done.add(cost.applyAsDouble(item));
-                    reached(done.sum() / all, name.apply(item));
+                    reached(done.incrementAndGet() / (double) items.size(), name.apply(item));
                 }
                 return result;
             } finally {

@@ -112,7 +112,7 @@ public final class SceneStability {
         SceneStability stability = new SceneStability(scene, spectrum);
         // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who
         // asks first
-        return progress.onAllCores(solvers, solver -> 1, solver -> "found the largest safe step of " + solver.label(),
+        return progress.onAllCores(solvers, solver -> "found the largest safe step of " + solver.label(),
                 stability::limit);
     }
 

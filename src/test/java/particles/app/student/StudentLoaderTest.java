@@ -95,7 +95,7 @@ class StudentLoaderTest {
         ProgressListener quiet = (part, what) -> { };
         try {
             List<String> names = List.of("exercises.First", "exercises.Second");
-            assertEquals(names, quiet.onAllCores(names, name -> 1, name -> name, name -> {
+            assertEquals(names, quiet.onAllCores(names, name -> name, name -> {
                 try {
                     both.countDown();
                     both.await(10, TimeUnit.SECONDS);
