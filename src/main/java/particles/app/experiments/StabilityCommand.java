@@ -5,14 +5,12 @@ import static particles.view.DataTable.column;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability;
-import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.SceneStabilityCharts;
 import particles.experiments.stability.Spectrum;
 import particles.experiments.stability.Spectrum.Mode;
@@ -138,54 +136,38 @@ public final class StabilityCommand extends ExperimentCommand {
     /** The longest stable step of each solver in a scene with at least one mode that does not grow by itself. */
     private ResultPage inScene(SceneDescription scene, Spectrum spectrum, ProgressListener progress) {
         List<SolverChoice> solvers = choices.get();
-        Mode fastest = spectrum.decaying().get(0);
-        List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
-        progress.reached(0.9, "outlines of the regions");
+        DataTable table = SceneStability.table(SceneStability.limits(scene, spectrum, solvers, progress),
+                scene.deltaT());
         List<SolverInfo> known = solvers.stream().flatMap(one -> one.info().stream()).toList();
         List<SolverInfo> outlined = (known.isEmpty() ? SolverCatalog.all() : known).stream().sorted(
                 Comparator.comparing(one -> !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
-        List<Picture> pictures = new ArrayList<>(List.of(Picture.of("eigenvalues", """
-                Each point is the step times an eigenvalue of the scene's linearised start: the fastest, and what else \
-                the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
-                lie where the solver is stable: inside the outline of an explicit one, and outside or left of that of \
-                an implicit one. An outline that is too small to be seen here is left out.""",
-                SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined))));
-        List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();
-        if (!finite.isEmpty()) {
-            pictures.add(Picture.of("growth", "Lines: the largest factor of any mode in one step, as predicted; they"
-                    + " end at 2. Points, and the numbers at the curves: the step at which pairs of runs began to move"
-                    + " apart, by bisection.", Panel.of(scene.title() + ": longest stable step",
-                    List.of(SceneStabilityCharts.growth(spectrum, finite)))).first(OUTLINES));
-        }
         return new ResultPage(name(), scene.title() + ": longest stable step, fastest mode |lambda| = "
-                + Digits.few(fastest.size()) + " /s", text(spectrum, fastest), pictures,
-                List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));
+                + Digits.few(spectrum.decaying().get(0).size()) + " /s", text(spectrum),
+                List.of(Picture.of("eigenvalues", """
+                        Each point is the step times an eigenvalue of the scene's linearised start: the fastest, and \
+                        what else the iteration found. A step is safe where all points to the left of the imaginary \
+                        axis, or on it, lie where the solver is stable: inside the outline of an explicit one, and \
+                        outside or left of that of an implicit one. An outline that is too small to be seen here is \
+                        left out.""",
+                        SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined))),
+                List.of(table, modes(spectrum)));
     }
 
-    private static List<String> text(Spectrum spectrum, Mode fastest) {
+    private static List<String> text(Spectrum spectrum) {
         String grows = spectrum.growth() == 0 ? ""
                 : Digits.format(" Some motion grows by itself, by %.3g /s: that is physics, not an"
                         + " error of the solver.", spectrum.growth());
         return List.of(Digits.format("""
-                        Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to \
-                        |lambda| = %.8g /s (%d products with the Jacobian, relative error below %.0e). The \
-                        longest safe step is the one at which the solver's own factor of some mode exceeds 1. A mode \
-                        counts even if the scene does not excite it, such as the sideways swing of a stretched \
-                        spring.%s""", fastest.size(),
-                        spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
+                        The scene's equations, linearised at its start, have modes with eigenvalues up to |lambda| = \
+                        %.8g /s (%d products with the Jacobian, relative error below %.0e). The longest stable step is \
+                        the one at which the solver's own factor of some mode exceeds 1. A mode counts even if the \
+                        scene does not excite it, such as the sideways swing of a stretched spring.%s""",
+                        spectrum.decaying().get(0).size(), spectrum.products(), Math.max(1e-15, spectrum.error()),
+                        grows),
                 """
-                        Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size \
-                        apart. A step is unsafe if 512 of them bring the runs 20 times farther apart than the motion \
-                        itself does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 \
-                        of it. The longest step tried is 9.3 times the prediction (for a solver of your own, 9.3 times \
-                        2/|lambda|). Growth, too, is counted over that of the motion itself. Growth below 0.6 % per \
-                        step is not seen in 512 steps, so euler's limit comes out a little large. Both agree as long \
-                        as the scene stays near its start. If springs turn, stretch or hit something, the spectrum \
-                        changes; then trust the runs.""",
-                """
-                        An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. \
-                        Implicit solvers were run with steps of up to 1800/|lambda|, some 640 times rk4's limit, \
-                        where they are stable, not accurate.""");
+                        Where springs turn, stretch or hit something, the spectrum changes during the motion, and the \
+                        longest stable step with it. An adaptive solver divides a deltaT that is too long; its longest \
+                        stable sub-step is given. An unbounded step is stable, not accurate.""");
     }
 
     private static DataTable modes(Spectrum spectrum) {

@@ -1,6 +1,5 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverInfo;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -28,11 +27,11 @@ final class SpectrumLimit {
     private final Map<List<Long>, Double> known = new HashMap<>();
 
     /**
-     * @param info     the solver
-     * @param spectrum the spectrum of the system
+     * @param amplification the amplification of the solver
+     * @param spectrum      the spectrum of the system
      */
-    SpectrumLimit(SolverInfo info, Spectrum spectrum) {
-        amplification = Amplification.of(info);
+    SpectrumLimit(Amplification amplification, Spectrum spectrum) {
+        this.amplification = amplification;
         modes = spectrum.decaying();
     }
 
