@@ -95,7 +95,7 @@ class ArchitectureTest {
                                            particles.scene.format particles.view
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.implicit deSolvers.linear
                                            deSolvers.problems deSolvers.text particles particles.experiments.runs
-                                           particles.law particles.scene particles.scene.format particles.view org.ejml
+                                           particles.law particles.scene.format particles.view org.ejml
                                            org.hipparchus
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
                                            deSolvers.text particles particles.effects.springs particles.experiments.runs

@@ -102,8 +102,8 @@ class BenchmarksTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            --fork=2         | unknown option -Pfork; did you mean -Pforks? allowed: -Pinclude, -Pworkload, -Pmethod, \
-            -Pintegrator, -Pscene, -Pforks, -Piterations, -Pmilliseconds
+            --fork=2         | unknown option -Pfork; did you mean -Pforks? allowed: -Pcheck, -Pinclude, -Pworkload, \
+            -Pmethod, -Pintegrator, -Pscene, -Pforks, -Piterations, -Pmilliseconds
             --iterations=-1  | -Piterations has to be a whole number, not '-1'
             --iterations=1e3 | -Piterations has to be a whole number, not '1e3'
             --forks=         | -Pforks has to be a whole number, not ''

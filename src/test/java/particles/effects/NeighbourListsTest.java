@@ -53,8 +53,8 @@ class NeighbourListsTest {
     }
 
     /**
-     * Particles wander, stream past each other, jump, and go back to an earlier state as a solver's trial states do; the list never misses a
-     * neighbour, and has them in the grid's order.
+     * Particles wander, stream past each other, jump, and go back to an earlier state as a solver's trial states do;
+     * the list never misses a neighbour, and has them in the grid's order.
      */
     @Test
     void listsOfTrialStatesAndStepsBackAreAsTheGridFindsThem() {

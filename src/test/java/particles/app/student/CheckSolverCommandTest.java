@@ -243,7 +243,8 @@ class CheckSolverCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertHas(here(ExitCode.BAD_INPUT, "HeunSolver", folder),
-                "no class is called 'exercises.HeunSolver'; the files in the folder of exercises are: none; known solvers:");
+                "no class is called 'exercises.HeunSolver'; the files in the folder of exercises are: none; "
+                        + "known solvers:");
     }
 
     /** Java counts 247 MB of 256 MB as usable with its serial collector. */
