@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.law.DifferentiableEffect;
@@ -29,9 +30,19 @@ import particles.scene.format.SceneDescription;
 class SceneThreadsTest {
     private static final int STEPS = 60;
 
-    /** A force of 0 that records the threads that evaluate it. */
+    /** A force of 0 that records the threads that evaluate it; the caller gives another some time to come. */
     private static final class Witness implements PerParticleEffect, DifferentiableEffect {
+        private static final long PATIENCE = 200_000_000;
         private final Set<String> threads = ConcurrentHashMap.newKeySet();
+        private final AtomicLong patience;
+
+        Witness(boolean alone) {
+            patience = new AtomicLong(alone ? 0 : PATIENCE);
+        }
+
+        private long helpers() {
+            return threads.stream().filter(name -> name.startsWith("ForkJoinPool")).count();
+        }
 
         @Override
         public String getName() {
@@ -41,6 +52,10 @@ class SceneThreadsTest {
         @Override
         public void addForces(double[] state, double time, double[] force, int from, int to) {
             threads.add(Thread.currentThread().getName());
+            long latest = System.nanoTime() + patience.getAndSet(0);
+            while (helpers() == 0 && System.nanoTime() < latest) {
+                Thread.onSpinWait();
+            }
         }
 
         @Override
@@ -57,11 +72,11 @@ class SceneThreadsTest {
     private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
         double duration = Math.min(description.duration(), steps * description.deltaT());
         Scene scene = SceneBuilder.build(description.withDuration(duration));
-        Witness witness = new Witness();
+        Witness witness = new Witness(threads == 1);
         scene.system().addEffect(witness);
         ParallelForces.use(scene.system().getForceSum(), threads, 0);
         scene.simulation().run();
-        helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("ForkJoinPool")).count();
+        helpers[0] = (int) witness.helpers();
         double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);
         state[state.length - 1] = scene.system().getTime();
         return state;
@@ -84,6 +99,6 @@ class SceneThreadsTest {
             }
             assertNotEquals(0, Arrays.compare(alone, run(description, 1, STEPS / 2, helpers)), file.toString());
         }
-        assertAbove(scenes / 2, shared);     // measured 62 of 64
+        assertAbove(scenes / 2, shared);     // measured 61 of 82 on a busy machine; one particle is one piece
     }
 }
