@@ -143,7 +143,7 @@ class EnergyLedgerTest {
     @CsvSource(textBlock = """
             step-doubling,  0.00229
             dormand-prince, 0.00175
-            bulirsch-stoer, 12.5
+            bulirsch-stoer, 1.76
             radau,          4.99e-5
             """)
     void aLongStepOfAnAdaptiveSolverIsBookedInItsSubSteps(String solver, double uncertainty) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.law.Vector3;
+import particles.scene.ShortRun;
 
 /** Implicit steps of particle systems through their 3 x 3 blocks, against the same steps without them. */
 class ImplicitParticlesTest {
@@ -141,5 +142,19 @@ class ImplicitParticlesTest {
         assertEquals(1, work.factorisations);
         assertEquals(1, work.iterations);      // to 1e-4, at a condition of about 1e6
         assertEquals(1, system.getEvaluations());
+    }
+
+    /**
+     * omega h = 20: each step of backward Euler divides the amplitude by the root of 1 + 20^2, so after 223 steps it is
+     * below 1e-290, where the spring has no direction. Newton's iteration stopped there, at t = 222 s.
+     */
+    @Test
+    void aMotionThatIsDampedToNothingEndsThere() {
+        ShortRun run = ShortRun.of("backward-euler clamp 1 300", """
+                particles: [{id: hook, position: [0, 0, 0], fixed: true}, {id: bob, position: [1, 0, 0]}]
+                springs: [{from: hook, to: bob, stiffness: 400, restLength: 0}]
+                effects: []
+                """);
+        assertEquals(0, run.distance(0, 1), 1e-289);
     }
 }

@@ -13,6 +13,11 @@ final class NewtonUpdate {
     private static final double ROUND_OFF = 2 * Math.ulp(1.0);
     /** The round-off within f, beside that of the terms of its sums. */
     private static final double WITHIN = 100;
+    /**
+     * Below this all is round-off, in any unit: a motion that a solver damps to nothing ends there, where a force may
+     * be 0 because it cannot be computed, though its derivative is not.
+     */
+    private static final double NOTHING = 1e-270;
 
     private NewtonUpdate() {
     }
@@ -74,7 +79,7 @@ final class NewtonUpdate {
             velocity = i / d % 2 == 1 ? Math.max(velocity, roundOff[i]) : velocity;
         }
         for (int i = 0; i < m.length; i++) {
-            roundOff[i] = Double.MIN_NORMAL + ROUND_OFF
+            roundOff[i] = NOTHING + ROUND_OFF
                     * (!constrained ? roundOff[i] : i / d % 2 == 0 ? position : velocity);
         }
     }
