@@ -260,6 +260,12 @@ public final class SolverCheck {
                 + "; it is none that the check knows by name.";
     }
 
+    /** Whether a right method that uses earlier steps is another one than declared. */
+    private boolean isAnother(Declaration one) {
+        return one.asked() ? multistep && one.method() != Method.MULTISTEP && !known.equals(Optional.of(one.method()))
+                : known.filter(method -> !one.allows(method)).isPresent();
+    }
+
     private Optional<Finding> ofEarlierSteps() {
         Fit fit = new Fit(maker, true);
         Optional<Fit.Found> equation = fit.known();
@@ -275,13 +281,12 @@ public final class SolverCheck {
             return orders.mistake(declared, false);
         }, contract::asymmetric, () -> control.makesSubSteps() ? control.uncontrolled() : Optional.empty(), () ->
                 Phrase.LOW_ORDER.when(multistep && !contract.makesDifferences() && orders.order() < 1.5,
-                orders.clock().digits(), "", Method.MULTISTEP.title(), 2, " or more"), () -> known.filter(method ->
-                        declared.filter(one ->
-                !one.allows(method)).isPresent()).map(method -> Phrase.CONTRADICTS.of(method.title(), declared.get()
-                .method().title())));
+                orders.clock().digits(), "", Method.MULTISTEP.title(), 2, " or more"));
         return wrong.map(finding -> finding.kind() == Kind.STATE ? finding : known.isPresent()
                 ? known.filter(method -> orders != null).map(method ->
-                Phrase.START.of(method.order(), orders.clock().digits())).orElse(finding) : fit.mistake(declared.map(
-                Declaration::method)).map(SolverCheck::solved).orElseGet(() -> compared(finding, Optional.empty())));
+                Phrase.START.of(method.order(), orders.clock().digits())).orElse(finding)
+                : fit.mistake(declared.map(Declaration::method)).map(SolverCheck::solved)
+                .orElseGet(() -> compared(finding, Optional.empty()))).or(() -> declared.filter(this::isAnother)
+                .map(one -> Phrase.CONTRADICTS.of(known.orElse(Method.MULTISTEP).title(), one.method().title())));
     }
 }
