@@ -1,15 +1,11 @@
 package particles.app.student;
 
 import deSolvers.DESolver;
-import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.spec.messages.Wording;
 import particles.teaching.solvers.Method;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
@@ -26,14 +22,6 @@ public final class AskedMethods {
     public static final List<String> NAMES = Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
 
     private AskedMethods() {
-    }
-
-    /** @return why another name cannot be asked for, in a line */
-    public static String refusal(String name) {
-        return SolverCatalog.find(name).map(solver -> "'" + name + "' cannot be asked for: the check sees whether"
-                + " such a method is right, but cannot tell it from others of its kind; write "
-                + Optional.of(solver.family().name().toLowerCase(Locale.ROOT)).filter(METHODS::containsKey).orElse(ANY))
-                .orElseGet(() -> Wording.unknown("method", name, NAMES, List.of()));
     }
 
     /**

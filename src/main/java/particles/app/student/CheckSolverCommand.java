@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.student.Check.Checked;
 import particles.output.report.Picture;
+import particles.spec.messages.Wording;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.StudentFailure;
@@ -44,9 +45,7 @@ public final class CheckSolverCommand extends CheckCommand {
         super.read(mistakes);
         mistakes.check(() -> {
             if (!AskedMethods.NAMES.contains(method)) {
-                throw wrong("method", SolverCatalog.names().contains(method) ? AskedMethods.refusal(method)
-                        : "no method that can be asked for is called '" + method + "'; known: "
-                        + String.join(", ", AskedMethods.NAMES));
+                throw wrong("method", Wording.unknown("method", method, AskedMethods.NAMES, List.of()));
             }
         });
     }
