@@ -67,8 +67,7 @@ public final class StabilityRegion {
     /** The limits of a step, in a line. */
     private static String limits(SolverInfo info) {
         return Double.isNaN(info.dampedLimit()) ? "the first step of its table"
-                : "stable: " + (info.secondOrder() ? "critical damping " : "damping ") + limit(info.dampedLimit())
-                + ", undamped " + limit(info.imaginaryLimit());
+                : "stable: damped " + limit(info.dampedLimit()) + ", undamped " + limit(info.imaginaryLimit());
     }
 
     private static String limit(double value) {

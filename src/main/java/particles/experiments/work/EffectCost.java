@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
 import particles.effects.springs.SpringForce;
+import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.law.Particles;
@@ -106,7 +107,7 @@ public final class EffectCost {
      */
     public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
             ProgressListener progress) {
-        List<Variant> variants = variants(columns, steps);
+        List<Variant> variants = variants(columns, steps, rounds);
         double[] fastest = new double[variants.size()];
         Arrays.fill(fastest, Double.POSITIVE_INFINITY);
         for (int round = 0; round < rounds; round++) {
@@ -121,7 +122,7 @@ public final class EffectCost {
                 / fastest[1])).toList();
     }
 
-    private static List<Variant> variants(int columns, int steps) {
+    private static List<Variant> variants(int columns, int steps, int rounds) {
         Scene cloth = scene(columns, steps, "");
         double[] inverseMasses = cloth.system().getParticles().getInverseMasses();
         double[] dSdt = new double[cloth.system().getStateSize()];
@@ -130,9 +131,20 @@ public final class EffectCost {
                 loopOverSprings(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
             }
         })));
-        ADDITIONS.forEach(addition -> all.add(new Variant(addition.name(),
-                scene(columns, steps, addition.yaml()).simulation()::run)));
+        ADDITIONS.forEach(addition -> all.add(new Variant(addition.name(), round(scene(columns, rounds * steps,
+                addition.yaml()), steps))));
         return all;
+    }
+
+    /** @return makes this number of steps of a scene each time */
+    static Runnable round(Scene scene, int steps) {
+        Simulation simulation = scene.simulation();
+        simulation.start();
+        return () -> {
+            for (int step = 0; step < steps; step++) {
+                simulation.advance();
+            }
+        };
     }
 
     /**

@@ -147,9 +147,9 @@ public final class StiffCloth {
         return Panel.of("One frame of stiff cloth", List.of(new Chart(Axis.log("steps of rk4 that a frame needs", ""),
                 seconds, List.of(line(SolverChoice.RK4, rows, Row::rk4).ending(seconds),
                 line(SolverChoice.of("linearised-euler"), rows, Row::linearised).ending(seconds)))))
-                .answered(Digits.format("time of rk4 / linearised-euler: %s at %d steps, %s at %d",
-                        Digits.few(softest.rk4() / softest.linearised(), 2), softest.rk4Steps(),
-                        Digits.few(stiffest.rk4() / stiffest.linearised(), 2), stiffest.rk4Steps()));
+                .answered(Digits.format("time of rk4 / linearised-euler, at %d to %d steps: %s to %s",
+                        softest.rk4Steps(), stiffest.rk4Steps(), Digits.few(softest.rk4() / softest.linearised(), 2),
+                        Digits.few(stiffest.rk4() / stiffest.linearised(), 2)));
     }
 
     private static Series line(SolverChoice solver, List<Row> rows, ToDoubleFunction<Row> time) {

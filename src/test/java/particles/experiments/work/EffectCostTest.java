@@ -45,6 +45,18 @@ class EffectCostTest {
         assertEquals("2", EffectCost.overLoop(costs));
     }
 
+    /** Every round goes on where the last one ended, so that each makes its steps. */
+    @Test
+    void eachRoundMakesItsSteps() {
+        Scene cloth = EffectCost.scene(3, 12, "");
+        Runnable round = EffectCost.round(cloth, 4);
+        for (int k = 1; k <= 3; k++) {
+            round.run();
+            assertEquals(k * 4e-3, cloth.system().getTime());
+            assertEquals(4 * k, cloth.simulation().getSteps());
+        }
+    }
+
     /** The scene format lists all effects; wind acts through drag, and turbulence too. */
     @Test
     void everyEffectOfTheSceneFormatIsMeasured() {
