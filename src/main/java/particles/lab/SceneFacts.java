@@ -47,7 +47,6 @@ final class SceneFacts {
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
                 "surfaces", scenery.surfaces().stream().map(surface -> Map.of("triangles", surface.triangles(),
                 "ofSprings", surface.ofSprings())).toList(),
-                "lines", scenery.lines().stream().map(line -> List.of(line.from(), line.to(), line.colour())).toList(),
                 "remarks", description.remarks(),
                 "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.drawing().camera().ifPresent(camera -> facts.put("camera", Map.of(

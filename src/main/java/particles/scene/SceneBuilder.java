@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Simulation;
@@ -77,11 +78,12 @@ public final class SceneBuilder {
         ParticleIndex index = scene.particles();
         List<Surface> cloths = addParticles(index, system, springs);
         surface(scene).ifPresent(cloths::add);
-        for (Values spring : scene.values().get(SceneFormat.SPRINGS)) {
+        for (Values spring : Stream.of(SceneFormat.SPRINGS, SceneFormat.LINES).flatMap(key ->
+                scene.values().get(key).stream()).toList()) {
             String from = spring.get(SpringDescription.FROM);
             String to = spring.get(SpringDescription.TO);
             springs.addSpring(index.find(from).orElseThrow(), index.find(to).orElseThrow(),
-                    spring.get(SpringDescription.STIFFNESS),
+                    spring.find(SpringDescription.STIFFNESS).orElse(0.0),
                     spring.find(SpringDescription.REST_LENGTH).orElse(index.way(from, to).length()),
                     spring.get(SpringDescription.DAMPING));
         }
@@ -113,7 +115,7 @@ public final class SceneBuilder {
         }
         checkApart(system, scene);
         assembly.rules().forEach(simulation::addRule);
-        Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths, scene.lines()), estimate);
+        Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
     }

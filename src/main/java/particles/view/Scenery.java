@@ -7,23 +7,16 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 
 /**
- * Things to draw beside particles and springs: surfaces, planes, spheres, wires and lines.
+ * Things to draw beside particles and springs: surfaces, planes, spheres and wires.
  *
  * @param surfaces surfaces that particles span
  * @param planes   the ground and other planes that particles meet
  * @param spheres  the balls and hollows that they meet
  * @param wires    the curves along which they slide
- * @param lines    lines between particles
  */
-public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires,
-        List<Line> lines) {
+public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires) {
     /** No scenery. */
     public static final Scenery NONE = new Scenery(List.of(), List.of(), List.of(), List.of());
-
-    /** Scenery without lines. */
-    public Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires) {
-        this(surfaces, planes, spheres, wires, List.of());
-    }
 
     /** Copies the lists. */
     public Scenery {
@@ -31,17 +24,6 @@ public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> s
         planes = List.copyOf(planes);
         spheres = List.copyOf(spheres);
         wires = List.copyOf(wires);
-        lines = List.copyOf(lines);
-    }
-
-    /**
-     * A line that is drawn from one particle to another and exerts no force.
-     *
-     * @param from   the id of the particle where it begins
-     * @param to     the id of the particle where it ends
-     * @param colour its colour, 0xRRGGBB
-     */
-    public record Line(String from, String to, int colour) {
     }
 
     /**

@@ -19,7 +19,6 @@ import particles.output.frames.FrameSink;
 import particles.spec.messages.InvalidInputException;
 import particles.view.Camera;
 import particles.view.RenderOptions;
-import particles.view.Scenery.Line;
 
 /** Lines, listed faces, and colours and trails of one's own: as they are read, and as they are drawn. */
 class OwnLooksTest {
@@ -73,12 +72,14 @@ class OwnLooksTest {
 
     /** A red line from a to b, 2 of 3 m wide: about 80 of 120 columns, and nothing that is green or blue. */
     @Test
-    void aLineIsDrawnInItsColourAndExertsNoForce() {
-        String line = "lines:\n  - {from: a, to: b, colour: '#ff0000'}\n  - {from: a, to: d}\n";
-        Scene scene = TestScenes.build(HEAD + line);
-        assertEquals(List.of(new Line("a", "b", 0xff0000), new Line("a", "d", 0x6c7683)), scene.scenery().lines());
-        assertEquals(List.of(), scene.system().getEffects());
-        int[] picture = picture("lines:\n  - {from: a, to: b, colour: '#ff0000'}\n" + PLAIN.formatted(""));
+    void aLineIsDrawnInTheColourOfSpringsAndExertsNoForce() {
+        String line = "lines:\n  - {from: a, to: b}\n";
+        Scene scene = TestScenes.build(HEAD + line + "  - {from: a, to: d}\n");
+        double[] forces = new double[scene.system().getStateSize()];
+        scene.system().getEffects().forEach(effect -> effect.addForces(scene.system().getOwnState(), 0, forces));
+        assertEquals(1, scene.system().getEffects().size(), "they are springs");
+        assertTrue(Arrays.stream(forces).allMatch(force -> force == 0));
+        int[] picture = picture(line + PLAIN.formatted(", springColour: '#ff0000'"));
         long columns = IntStream.range(0, SIDE).filter(x -> IntStream.range(0, SIDE)
                 .anyMatch(y -> (picture[y * SIDE + x] & 0xff0000) != 0)).count();
         assertTrue(columns >= 80 && columns <= 86, "columns: " + columns);         // measured 82

@@ -114,7 +114,7 @@ final class RunObservers implements AutoCloseable {
             if (extras.usd) {
                 motion.add(new UsdFile(folder, new UsdFile.Setup(description.title() + ": " + caption(), camera,
                         output.frames().width(), output.frames().height(), output.frames().playbackRate(),
-                        description.drawing().look(), scene.scenery())));
+                        description.drawing().look(), scene.scenery().surfaces())));
             }
         }
         if (extras.obj) {

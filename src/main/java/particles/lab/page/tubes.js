@@ -8,8 +8,7 @@ const MOST_COILS = 40, SOFT = 0.01;      // a spring is far softer below this pa
 const PIECES_OF_TURN = 10;
 const STRAIGHT = 0.07, WIDE = 0.11;     // of a coil's length: a straight end; from where it has its full radius
 // radii, in radii of balls
-export const RAILING = 0.2;
-const TUBE = 0.3, BAR = 0.34, COIL = 0.62, COILED = 0.13;
+const TUBE = 0.3, RAILING = 0.2, BAR = 0.34, COIL = 0.62, COILED = 0.13;
 
 /** Any number of copies of a shape, each with its own place and colour. */
 export class Copies {
@@ -60,7 +59,7 @@ export class Copies {
 }
 
 /** Straight tubes. */
-export class Tubes extends Copies {
+class Tubes extends Copies {
   constructor() {
     super(new THREE.CylinderGeometry(1, 1, 1, 5, 1, true).translate(0, 0.5, 0), solid({}));
     Object.assign(this, {matrix: new THREE.Matrix4(), along: new THREE.Vector3(), across: new THREE.Vector3(),
@@ -97,7 +96,7 @@ export class Springs extends Tubes {
     this.own = own < 0 ? null : new THREE.Color(own);
     const soft = SOFT * stiffness.reduce((most, one) => one < Infinity ? Math.max(most, one) : most, 0);
     this.coilBelow = stiffness.length <= MOST_COILS ? Infinity
-        : stiffness.filter(one => one < soft).length <= MOST_COILS ? soft : 0;
+        : stiffness.filter(one => one > 0 && one < soft).length <= MOST_COILS ? soft : 0;
   }
 
   /** shown: the indices of the springs to be drawn; back: towards the viewer; ball: the radius of balls (m) */
@@ -109,7 +108,9 @@ export class Springs extends Tubes {
       a.fromArray(state, 6 * i);
       b.fromArray(state, 6 * j);
       const length = a.distanceTo(b), strain = rest > 0 ? (length - rest) / rest / strainRange : Math.sign(length);
-      if (stiffness[s] === Infinity || fixed[i] && fixed[j]) {
+      if (stiffness[s] === 0) {
+        this.join(a, b, RAILING * ball, this.own ?? ROD);
+      } else if (stiffness[s] === Infinity || fixed[i] && fixed[j]) {
         this.join(a, b, BAR * ball, ROD);
       } else if (stiffness[s] < this.coilBelow && rest > 0 && length > 4 * COILED * ball) {
         this.coil(a, b, rest, ball, this.own ?? strainColour(strain), back);

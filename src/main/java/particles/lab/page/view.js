@@ -8,7 +8,7 @@ import {Ground, scenery} from './scenery.js';
 import {Sky, solid} from './sky.js';
 import {Surface, cornersOfClosed} from './surface.js';
 import {Trails} from './trails.js';
-import {Copies, RAILING, Springs, Tubes} from './tubes.js';
+import {Copies, Springs} from './tubes.js';
 
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
@@ -102,12 +102,11 @@ class View {
     this.blobs.object.visible = facts.look.kind === 'blobs';
     this.hasTrails = [facts.look, ...Object.values(facts.look.marks)].some(({trail}) => trail > 0);
     this.trails.object.visible = this.hasTrails;
-    this.lines = new Tubes();
     this.surfaces = facts.surfaces.map(surface => new Surface(surface, facts.look.colours.slice(2)));
     this.balls = new Copies(new THREE.SphereGeometry(1, 16, 12), solid({}));
     this.areMany = false;
     this.spots = new Copies(new THREE.PlaneGeometry(2, 2), glow(), false);
-    this.scene.add(hemisphere, this.sky.mesh, this.springs.object, this.trails.object, this.blobs.object, this.lines.object,
+    this.scene.add(hemisphere, this.sky.mesh, this.springs.object, this.trails.object, this.blobs.object,
         this.balls.object, this.spots.object, ...this.grounds.map(ground => ground.mesh),
         ...this.surfaces.map(surface => surface.object), ...scenery(facts, this.ball, reach));
     this.resize();
@@ -227,23 +226,10 @@ class View {
     this.surfaces.forEach(surface => surface.place(state));
     this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.ball,
         this.camera.camera.getWorldDirection(new THREE.Vector3()).negate());
-    this.placeLines(state);
     if (this.hasTrails) {
       const {ids} = this.structure;
       this.trails.place(state, time, ids, ids.map(id => new THREE.Color(look.marks[id]?.colour ?? look.colours[0])),
           ids.map((id, i) => this.isShown[i] && !fixed[i] ? look.marks[id]?.trail ?? look.trail : 0));
-    }
-  }
-
-  /** Lines between particles that are still there. */
-  placeLines(state) {
-    this.lines.clear();
-    for (const [from, to, colour] of this.facts.lines) {
-      const [a, b] = [from, to].map(id => this.structure.ids.indexOf(id));
-      if (a >= 0 && b >= 0) {
-        this.lines.join(new THREE.Vector3().fromArray(state, 6 * a), new THREE.Vector3().fromArray(state, 6 * b),
-            RAILING * this.ball, this.colour.set(colour));
-      }
     }
   }
 

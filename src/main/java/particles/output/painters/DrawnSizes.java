@@ -48,7 +48,7 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
             return Double.POSITIVE_INFINITY;
         }
         double soft = SOFT * Arrays.stream(stiffness).filter(Double::isFinite).max().orElse(0);
-        return Arrays.stream(stiffness).filter(one -> one < soft).count() <= MOST_COILS ? soft : 0;
+        return Arrays.stream(stiffness).filter(one -> one > 0 && one < soft).count() <= MOST_COILS ? soft : 0;
     }
 
     /** @return whether spring s is drawn as a coil, not as a straight tube */
@@ -61,18 +61,18 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
         return ball / 3;
     }
 
-    /** @return the radius of a spring drawn as a straight tube (m) */
-    public double tube() {
-        return 0.3 * ball;
+    /** @return the radius of a spring of this stiffness drawn as a straight tube (m): rods are thick, lines thin */
+    public double tube(double stiffness) {
+        return stiffness == 0 ? railing() : stiffness == Double.POSITIVE_INFINITY ? rod() : 0.3 * ball;
     }
 
     /** @return the radius of the wire that a bead slides along (m) */
-    public double railing() {
+    double railing() {
         return 0.2 * ball;
     }
 
     /** @return the radius of a rigid rod (m) */
-    public double rod() {
+    double rod() {
         return 0.34 * ball;
     }
 

@@ -13,7 +13,6 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
-import particles.view.Scenery.Line;
 
 /**
  * Draws all that is opaque in a frame, as one camera sees it: the camera of the picture or, for shadows, the lamp.
@@ -26,10 +25,9 @@ import particles.view.Scenery.Line;
  * @param surfaces the painter of surfaces
  * @param springs  the painter of springs and rods
  * @param wires    each wire's points; infinite ones are cut off outside the picture
- * @param lines    the lines between particles
  */
 public record OpaquePainter(RoundShapes shapes, RenderOptions look, DrawnSizes sizes, VisibilityFilter shown,
-        SurfacePainter surfaces, SpringPainter springs, List<Place[]> wires, List<Line> lines) {
+        SurfacePainter surfaces, SpringPainter springs, List<Place[]> wires) {
     private static final int WIRE = 0x75808d;
     /** The pieces of a wire per height of the picture. */
     private static final int PIECES = 120;
@@ -52,8 +50,7 @@ public record OpaquePainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         List<IntactTriangles> surfaces = scenery.surfaces().stream().map(IntactTriangles::new).toList();
         return new OpaquePainter(shapes, look, sizes, shown, new SurfacePainter(shapes, look, surfaces),
                 new SpringPainter(shapes, look, sizes),
-                scenery.wires().stream().map(curve -> points(curve, shapes.view(), target)).toList(),
-                scenery.lines());
+                scenery.wires().stream().map(curve -> points(curve, shapes.view(), target)).toList());
     }
 
     /**
@@ -64,7 +61,6 @@ public record OpaquePainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         Place[] places = state.places(shapes.view());
         surfaces.paint(state, places);
         boolean strained = springs.paint(state, places, shown);
-        springs.paint(state, places, lines);
         wires.forEach(wire -> shapes.tubes(wire, sizes.railing(), WIRE));
         IntStream.range(0, places.length).filter(shown::particle).forEach(i -> paint(state, i, places[i]));
         blobs.ifPresent(painter -> painter.paint(shapes));

@@ -1,8 +1,5 @@
 package particles.output.painters;
 
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
@@ -10,12 +7,12 @@ import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
-import particles.view.Scenery.Line;
 import particles.view.SpringView.SpringList;
 
 /**
  * Draws springs, coloured by their strain: as coils if they are few or soft, as straight tubes if they are many. Rods,
- * and springs between fixed particles, are drawn as bars.
+ * and springs between fixed particles, are drawn as bars, and springs without stiffness as thin
+ * lines.
  */
 public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes sizes) {
     private static final int ROD = 0x6c7683;
@@ -45,6 +42,12 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         SpringList springs = state.springs();
         int a = springs.from()[s];
         int b = springs.to()[s];
+        Optional<Integer> own = look.colours().springs();
+        double stiffness = springs.stiffness()[s];
+        if (stiffness == 0) {
+            shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(stiffness), own.orElse(ROD));
+            return false;
+        }
         if (springs.isRigid(s) || state.isFixed(a) && state.isFixed(b)) {
             shapes.tube(places[a], places[b], sizes.rod(), ROD);
             return false;
@@ -54,22 +57,11 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         double length = whole.length();
         double rest = springs.restLength()[s];
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
-        Optional<Integer> own = look.colours().springs();
         int rgb = own.orElseGet(() -> Colours.ofStrain(strain, look.strainRange()));
         boolean seen = sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0
                 ? paintCoil(from, whole, rest, rgb)
-                : shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(), rgb);
+                : shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(stiffness), rgb);
         return seen && own.isEmpty();
-    }
-
-    /** Draws lines between particles; a line ends with one of its particles. */
-    void paint(FrameState state, Place[] places, List<Line> lines) {
-        Map<String, Place> placeOf = new HashMap<>();
-        for (int i = 0; i < places.length && !lines.isEmpty(); i++) {
-            placeOf.put(state.structure().ids()[i], lifted(places[i]));
-        }
-        lines.stream().filter(line -> placeOf.keySet().containsAll(List.of(line.from(), line.to()))).forEach(line ->
-                shapes.tube(placeOf.get(line.from()), placeOf.get(line.to()), sizes.railing(), line.colour()));
     }
 
     /** The place of an end, a little nearer, so that a surface spanned by springs does not hide half of each. */

@@ -11,7 +11,6 @@ import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.view.Camera;
 import particles.view.RenderOptions;
-import particles.view.Scenery.Line;
 
 /**
  * The checked contents of a scene file, with options in place of the file's values.
@@ -40,11 +39,6 @@ public record SceneDescription(Values values, ParticleIndex particles, Drawing d
     /** @return remarks about its shapes for the person who made them, one line each */
     public List<String> remarks() {
         return particles.getShapes().stream().flatMap(shape -> shape.layout().remarks().stream()).toList();
-    }
-
-    /** @return the lines between particles */
-    public List<Line> lines() {
-        return values.get(SceneFormat.LINES).stream().map(SceneFormat::line).toList();
     }
 
     /** @return the solver */

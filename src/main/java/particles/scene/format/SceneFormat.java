@@ -22,7 +22,6 @@ import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
-import particles.view.Scenery.Line;
 
 /** The format of scene files. The reader, its messages, the JSON Schema for editors
  * and the reference tables all follow from it. */
@@ -50,10 +49,9 @@ public final class SceneFormat {
     public static final Key<List<Values>> RODS = ListType.of("a rod", ConstraintDescription.ROD)
             .withDefault("rods", List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
-    private static final Key<String> LINE_COLOUR = RenderFormat.colour("colour", 0x6c7683, "Its colour.");
     public static final Key<List<Values>> LINES = ListType.of("a line", MappingType.of("a line",
-            SpringDescription.FROM, SpringDescription.TO, LINE_COLOUR)).withDefault("lines", List.of(),
-            "Lines between any two particles, which are drawn and exert no force.");
+            SpringDescription.FROM, SpringDescription.TO)).withDefault("lines", List.of(),
+            "Lines between any two particles: springs that are drawn and exert no force.");
     public static final Key<List<String>> CORNERS = ListType.of("a corner", SpringDescription.ANY_ID)
             .required("corners", "Its corners, three particles or more, counter-clockwise seen from its front.");
     public static final Key<List<Values>> FACES = ListType.of("a face", MappingType.of("a face", CORNERS)
@@ -96,10 +94,5 @@ public final class SceneFormat {
             BLOW_UP_FACTOR, THREADS, FILES);
 
     private SceneFormat() {
-    }
-
-    static Line line(Values values) {
-        return new Line(values.get(SpringDescription.FROM), values.get(SpringDescription.TO),
-                RenderFormat.rgb(values.get(LINE_COLOUR)));
     }
 }

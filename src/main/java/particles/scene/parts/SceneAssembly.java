@@ -20,7 +20,6 @@ import particles.rules.Collisions;
 import particles.rules.Deaths;
 import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
-import particles.view.Scenery.Line;
 import particles.view.Scenery.Surface;
 
 /** A scene under construction: effects and rules are added to it and share its wind, surfaces and totals. */
@@ -128,9 +127,9 @@ public final class SceneAssembly implements EffectContext {
         wires.add(wire);
     }
 
-    /** @return everything to draw, with the given surfaces and lines */
-    public Scenery scenery(List<Surface> surfaces, List<Line> lines) {
-        return new Scenery(surfaces, solids(Plane.class), solids(Sphere.class), wires, lines);
+    /** @return everything to draw, with the given surfaces */
+    public Scenery scenery(List<Surface> surfaces) {
+        return new Scenery(surfaces, solids(Plane.class), solids(Sphere.class), wires);
     }
 
     private <T> List<T> solids(Class<T> type) {

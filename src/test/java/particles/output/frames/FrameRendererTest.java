@@ -95,7 +95,7 @@ class FrameRendererTest {
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {
             int[] rgb = renderer(FRONT, springsOnly, Scenery.NONE)
-                    .render(spring(k == 0 ? 7 : 5, 0, -3, 0, 0, 3, 0, 0));
+                    .render(spring(k == 0 ? 7 : 5, 1, -3, 0, 0, 3, 0, 0));
             int[] background = picture(FRONT, springsOnly, Scenery.NONE);
             double red = 0;
             double blue = 0;

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -76,7 +77,7 @@ class MotionFilesTest {
         try (OutputFolder folder = OutputFolder.open(top)) {
             MotionRecorder recorder = new MotionRecorder(RATE, List.of(), List.of(new UsdFile(folder,
                     new UsdFile.Setup(scene.description().title(), CAMERA, 640, 360, RATE,
-                    scene.description().drawing().look(), scene.scenery())),
+                    scene.description().drawing().look(), scene.scenery().surfaces())),
                     new ObjFrames(folder, scene.scenery().surfaces()), (frame, state) -> states.add(state)));
             try (recorder) {
                 scene.simulation().addObserver(recorder);
@@ -165,15 +166,18 @@ class MotionFilesTest {
     void surfacesAreMeshesAndSpringsAndLinesAreCurves() {
         assertEquals("[3, 3, 3, 3]", at("Mesh surface0 int[] faceVertexCounts", 0));
         assertEquals("[0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4]", at("Mesh surface0 int[] faceVertexIndices", 9));
-        for (String curve : List.of("springs", "lines")) {
-            assertEquals("[2]", at("BasisCurves " + curve + " int[] curveVertexCounts", 3), curve);
-            List<String> ends = list("BasisCurves " + curve + " point3f[] points", 3);
-            Vector3 end = point(ends.get(curve.equals("lines") ? 1 : 0));
-            assertEquals(0, end.minus(states.get(3).place(1)).length(), 1e-6, "the ball");
+        assertEquals("[2, 2]", at("BasisCurves springs int[] curveVertexCounts", 3));
+        List<String> ends = list("BasisCurves springs string[] primvars:name", 3);
+        List<String> points = list("BasisCurves springs point3f[] points", 3);
+        List<Double> widths = list("BasisCurves springs float[] widths", 3).stream().map(Double::valueOf).toList();
+        assertEquals(2, Collections.frequency(ends, "\"ball\""), "the ball is at the end of the spring and the line");
+        for (int k = 0; k < 4; k++) {
+            if (ends.get(k).equals("\"ball\"")) {
+                assertEquals(0, point(points.get(k)).minus(states.get(3).place(1)).length(), 1e-6);
+            }
         }
-        assertFalse(stage.containsKey("BasisCurves rods point3f[] points"), "there are none");
-        Vector3 low = point(list("BasisCurves lines float3[] extent", 3).get(0));
-        assertTrue(low.x() < -1 && low.x() > -1.1 && low.y() < 1, "around the hook, with the line's thickness");
+        int line = ends.indexOf("\"hook\"") / 2;
+        assertEquals(2.0 / 3, widths.get(2 * line) / widths.get(2 * (1 - line)), 1e-6, "lines are thinner than springs");
     }
 
     /** 2 atan(20.25 / (2 f)) is the angle of 40 degrees, and the aspect of the picture that of the film. */
@@ -221,7 +225,7 @@ class MotionFilesTest {
                 assertEquals(state.place(i), Vector3.at(read.system().getOwnState(), Particles.STRIDE * i));
             }
             assertEquals(12, read.scenery().surfaces().get(0).triangles().length);
-            assertEquals(1 + 7 + 4, read.springs().springCount(), "each spring is a line; edges of faces are springs");
+            assertEquals(2 + 7 + 4, read.springs().springCount(), "springs and lines, and edges of faces");
         }
         assertEquals(25, states.size());
         try (Stream<Path> files = Files.list(top.resolve("frames"))) {
