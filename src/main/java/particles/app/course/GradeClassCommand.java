@@ -100,8 +100,8 @@ public final class GradeClassCommand extends ResultsCommand {
                     .toSet());
             Submission nothing = new Submission("");
             list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each -> Result.of(
-                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment, Optional.empty(),
-                    nothing, getFolder()).items())).forEach(results::add);
+                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment,
+                    Optional.empty(), nothing, getFolder()).items())).forEach(results::add);
             Marking.clear(getFolder(), ClassTables.FILES);
             new ClassTables(assignment, list, results, attempt).write(files).forEach(out::println);
         }

@@ -24,9 +24,9 @@
  * <p>For practice, a student's numbers come from the id, so anyone who knows an id can work out that student's numbers.
  * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.txt} writes a printable sheet for each student,
  * with numbers from the id and a secret in the key file, which students never get and which it makes if it is not
- * there; {@code -Pkey=key.txt} marks with it, and {@code numbers: sheet} in the assignment tells {@code grade} of it. In
- * a class of a hundred, at most ten share an answer with somebody in any exercise. {@code gradle autograding} writes a
- * workflow for GitHub Classroom and a script for VPL.
+ * there; {@code -Pkey=key.txt} marks with it, and with {@code numbers: sheet} in the assignment, {@code grade} does not
+ * mark without it. In a class of a hundred, at most ten share an answer with somebody in any exercise. {@code gradle
+ * autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is marked in parts, on any number of processors or machines; README's section on exercises has the
  * commands for GNU parallel and for Slurm. A part's exit code is 0 when it has marked its hand-ins, whatever the marks

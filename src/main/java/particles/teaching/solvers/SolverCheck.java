@@ -260,12 +260,6 @@ public final class SolverCheck {
                 + "; it is none that the check knows by name.";
     }
 
-    /** Whether a right method that uses earlier steps is another one than declared. */
-    private boolean isAnother(Declaration one) {
-        return one.asked() ? multistep && one.method() != Method.MULTISTEP && !known.equals(Optional.of(one.method()))
-                : known.filter(method -> !one.allows(method)).isPresent();
-    }
-
     private Optional<Finding> ofEarlierSteps() {
         Fit fit = new Fit(maker, true);
         Optional<Fit.Found> equation = fit.known();
@@ -286,7 +280,8 @@ public final class SolverCheck {
                 ? known.filter(method -> orders != null).map(method ->
                 Phrase.START.of(method.order(), orders.clock().digits())).orElse(finding)
                 : fit.mistake(declared.map(Declaration::method)).map(SolverCheck::solved)
-                .orElseGet(() -> compared(finding, Optional.empty()))).or(() -> declared.filter(this::isAnother)
-                .map(one -> Phrase.CONTRADICTS.of(known.orElse(Method.MULTISTEP).title(), one.method().title())));
+                .orElseGet(() -> compared(finding, Optional.empty()))).or(() -> declared
+                .filter(one -> !one.allows(known, multistep)).map(one -> Phrase.CONTRADICTS.of(known
+                .orElse(Method.MULTISTEP).title(), one.method().title())));
     }
 }
