@@ -30,9 +30,12 @@ class SameResultsTest {
     /** Scenes that need only + - * / and square roots, and others that happen to have the same bits. */
     private static final Set<String> SAME_BITS = Set.of("01", "02", "03", "06", "07", "11", "22", "25", "26",
             "40", "41");
-    /** Those that have the same bits after three steps of any solver. */
+    /**
+     * Those that have the same bits after three steps of any solver. Births restart adaptive solvers, whose first
+     * sub-steps are powers that the page rounds otherwise: 1.5e-16 in the fountain.
+     */
     private static final Set<String> ALWAYS_SAME_BITS = Set.of("01", "02", "03", "06", "07", "13", "21", "22", "26",
-            "27", "41", "43");
+            "41", "43");
     /** Of the state's largest number. Measured at most 2.6e-11, in the stiff curtain, 1.6e-11 in the torn cloth. */
     private static final double BOUND = 1e-10;
     /**

@@ -127,9 +127,10 @@ public final class BlowUpMessage {
         }
         if (known.unlimited()) {
             String but = solver + " has no stability limit, but ";
-            return limits.hasSprings() ? List.of(but + (isBlowUp() ? "it adds energy where springs buckle or turn"
-                    : "its equations could not be solved"), rule.forStiffness())
-                    : List.of(but + "deltaT is too long for forces that change so fast", rule.forOtherForces());
+            String cause = !isBlowUp() ? "its equations could not be solved"
+                    : limits.hasSprings() ? "it adds energy where springs buckle or turn"
+                    : "deltaT is too long for forces that change so fast";
+            return List.of(but + cause, limits.hasSprings() ? rule.forStiffness() : rule.forOtherForces());
         }
         if (limits.alwaysGrows(known)) {
             return List.of(limits.isDamped() ? "springs with little damping gain energy with " + solver
