@@ -29,7 +29,6 @@ final class Blocks {
      * pull that the active-set method tolerates, as a pile pushes harder than its balls fall.
      */
     private static final double STILL = 1e-7;
-    private static final String CONTRADICTORY = "contradict each other: no forces can satisfy them all";
 
     private final ParticleSystem system;
     private final Particles particles;
@@ -175,13 +174,13 @@ final class Blocks {
      * Finds the forces of a block, after {@link #prepare}.
      *
      * @param force the forces of all effects (N)
-     * @throws SimulationException if friction jams, or if rods contradict each other while no particle sticks. If one
-     *         sticks, rods that contradict each other are no error: a rule releases it at the end of the motion
+     * @throws SimulationException if friction jams or rods contradict each other while no particle sticks. If one
+     *         sticks that is no error: a rule releases it at the start of the motion
      */
     void solve(Block block, double[] state, double time, double[] force) {
         block.take(state, Block.ALL);
         Optional<String> failure = solve(block, state, force);
-        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held.isEmpty())) {
+        if (failure.isPresent() && block.held.isEmpty()) {
             throw block.failure(time, failure.get());
         }
     }
@@ -229,7 +228,8 @@ final class Blocks {
             return Optional.of("let no contact forces keep all particles out: friction or a moving anchor jams them");
         }
         left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
-        return left > CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
+        return left > CONTRADICTION ? Optional.of("contradict each other: no forces can satisfy them all")
+                : Optional.empty();
     }
 
     /**
