@@ -107,7 +107,8 @@ public class EnergyLedger extends StridedRecorder {
             }
         }
         for (Reaction reaction : system.getReactions()) {
-            open(reaction.getName(), true, (state, time) -> {
+            boolean isOfAnchors = reaction.transmitsWork() && system.getMovingAnchors().length > 0;
+            open(isOfAnchors ? ANCHORS : reaction.getName(), true, (state, time) -> {
                 if (!reaction.isActive()) {
                     return 0;
                 }

@@ -52,6 +52,11 @@ public interface Reaction {
      */
     double getPower(double[] state, double time, double[] force);
 
+    /** @return whether the power is only that of moving anchors, on whose account it is booked, as for rods */
+    default boolean transmitsWork() {
+        return false;
+    }
+
     /**
      * @param state the particles' state
      * @param since a particle born after this time (s) may be below a surface: no rule has acted on it yet

@@ -126,6 +126,11 @@ public final class RigidConstraints implements Reaction, SpringView {
                 row -> -row.force * row.rateOfAnchors(state, particles.getInverseMasses()));
     }
 
+    @Override
+    public boolean transmitsWork() {
+        return true;
+    }
+
     /**
      * Solves these constraints and contacts with surfaces together where a particle has both. Each reports its own
      * power.

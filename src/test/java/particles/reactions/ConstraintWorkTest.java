@@ -97,14 +97,14 @@ class ConstraintWorkTest {
             double[] errors = new double[2];
             for (int k = 0; k < 2; k++) {
                 EnergyLedger ledger = run(moved(rods, rods == 1 ? SHAKE : CRANK), solver, h / (1 + k), 2);
-                assertTrue(ledger.getWork().get("rods") > 1.9, ledger.getWork().toString());
+                assertTrue(ledger.getWork().get("moving anchors") > 1.9, ledger.getWork().toString());
                 errors[k] = ledger.getNumericalError();
             }
             assertEquals(order, Math.log(errors[0] / errors[1]) / Math.log(2), 0.15);
         }
     }
 
-    /** A moving hand drags a bob along by a rod: the work booked for the rod is the bob's energy. */
+    /** A moving hand drags a bob along by a rod: its work, by way of the rod, is the bob's energy. */
     @Test
     void aMovingHandWorksThroughItsRod() {
         ParticleSystem system = moved(1, (time, values) -> {
@@ -113,7 +113,7 @@ class ConstraintWorkTest {
             values[6] = 1.8 * StrictMath.cos(3 * time);
         });
         EnergyLedger ledger = run(system, "rk4", 0.005, 5);
-        assertTrue(Math.abs(ledger.getWork().get("rods")) > 0.5, ledger.getWork().toString());
+        assertTrue(Math.abs(ledger.getWork().get("moving anchors")) > 0.5, ledger.getWork().toString());
         assertEquals(0, ledger.getNumericalError(), 1e-7, "measured: 7.7e-9");
         assertEquals(1, distance(system, 0, 1), 7e-9, "measured: 7e-10");
     }
