@@ -1,11 +1,14 @@
 package particles.app.course;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
 import particles.spec.messages.InvalidInputException;
+import particles.teaching.exercises.Exercises;
 import picocli.CommandLine.Option;
 
 /** The options that say what counts, and where the numbers come from. */
@@ -14,8 +17,7 @@ final class CourseOptions {
             description = "What counts, and how much (default: assignment.yaml, if it is there).")
     private Optional<Path> assignment;
 
-    @Option(names = "--key", paramLabel = "FILE",
-            description = "The file of the secret from which the numbers of the students' handouts come.")
+    @Option(names = "--key", paramLabel = "FILE", description = "The key file of the students' handouts.")
     private Optional<Path> key;
 
     /** @return what counts */
@@ -29,24 +31,26 @@ final class CourseOptions {
     }
 
     /**
-     * @return for a student's id, the text from which the numbers of the exercises come; none if they are those of the
-     *         handouts and there is no key
+     * @return for a student's id, the text from which the numbers in each exercise come, from place 1 on; empty if not
+     *         known
      */
-    Function<String, Optional<String>> numbersOf(Assignment what) {
-        Optional<String> secret = key.map(CourseOptions::secret).or(() -> Optional.of("").filter(none ->
-                what.numbers() == Assignment.Numbers.ID));
-        return student -> secret.map(text -> text + student.strip());
+    Function<String, List<String>> numbersOf(Assignment what) {
+        Map<String, List<String>> keys = key.map(CourseOptions::key).orElse(Map.of());
+        return student -> key.isPresent() ? keys.getOrDefault(student.strip(), List.of())
+                : what.numbers() == Assignment.Numbers.SHEET ? List.of()
+                : Collections.nCopies(Exercises.ALL.size() + 1, student);
     }
 
-    private static String secret(Path file) {
-        try {
-            String text = Files.readString(file).strip();
-            if (!text.matches("[0-9a-f]{64}")) {
-                throw new IOException("it holds no secret; gradle sheets makes a key file");
+    /** @return the cells of each line of a key file, by the id; each student has a secret for each exercise */
+    static Map<String, List<String>> key(Path file) {
+        Map<String, List<String>> keys = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+        ClassList.rows(file).stream().skip(1).filter(cells -> cells.size() > 1).forEach(cells -> {
+            if (cells.size() != Exercises.ALL.size() + 1) {
+                throw new InvalidInputException(file + ": the line of " + cells.get(0) + " has " + cells.size()
+                        + " cells; a key file has " + (Exercises.ALL.size() + 1));
             }
-            return text;
-        } catch (IOException e) {
-            throw new InvalidInputException(file + " cannot be read as a key file: " + e.getMessage());
-        }
+            keys.put(cells.get(0), cells);
+        });
+        return keys;
     }
 }

@@ -100,8 +100,8 @@ public final class GradeClassCommand extends ResultsCommand {
                     .toSet());
             Submission nothing = new Submission("");
             list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each -> Result.of(
-                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment,
-                    Optional.empty(), nothing, getFolder()).items())).forEach(results::add);
+                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment, List.of(),
+                    nothing, getFolder()).items())).forEach(results::add);
             Marking.clear(getFolder(), ClassTables.FILES);
             new ClassTables(assignment, list, results, attempt).write(files).forEach(out::println);
         }
@@ -126,7 +126,7 @@ public final class GradeClassCommand extends ResultsCommand {
 
     /** Reads all hand-ins of this part, and only then marks them, one on each core. */
     private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
-        Function<String, Optional<String>> numbers = course.numbersOf(assignment);
+        Function<String, List<String>> numbers = course.numbersOf(assignment);
         List<Map.Entry<String, List<Path>>> all = List.copyOf(Submission.list(source.folder.orElseThrow()).entrySet());
         List<Submission> handIns = IntStream.range(0, all.size()).filter(k -> k % part.get(1) == part.get(0) - 1)
                 .mapToObj(all::get).map(each -> Submission.read(each.getKey(), each.getValue())).toList();

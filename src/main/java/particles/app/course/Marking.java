@@ -38,11 +38,11 @@ import particles.view.DataTable;
  * The marking of one hand-in.
  *
  * @param assignment what counts
- * @param numbers    the text from which the numbers of the exercises come; none if that is not known
+ * @param numbers    the text from which the numbers of each exercise come, from place 1 on; empty if that is not known
  * @param handIn     what was handed in
  * @param folder     the folder of the result
  */
-record Marking(Assignment assignment, Optional<String> numbers, Submission handIn, Path folder) {
+record Marking(Assignment assignment, List<String> numbers, Submission handIn, Path folder) {
     static final String PAGE = "grade";
     static final String NO_ANSWER = "There is no answer.";
     private static final double SECONDS = 60;
@@ -91,8 +91,8 @@ record Marking(Assignment assignment, Optional<String> numbers, Submission handI
     }
 
     private Mark mark(Exercise exercise, int number, String answer) {
-        GuardedRun.Outcome<Mark> marked = new GuardedRun(SECONDS).run(() -> exercise.mark(new Draw(numbers
-                .orElseThrow(), number), answer, handIn::file));
+        GuardedRun.Outcome<Mark> marked = new GuardedRun(SECONDS).run(() -> exercise.mark(new Draw(numbers.get(number),
+                number), answer, handIn::file));
         return marked.value().orElseGet(() -> Mark.wrong(marked.failure().orElseThrow().text()));
     }
 

@@ -22,10 +22,10 @@
  * compared with each other: <a href="https://github.com/jplag/JPlag">JPlag</a> does that.
  *
  * <p>For practice, a student's numbers come from the id, so anyone who knows an id can work out that student's numbers.
- * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.txt} writes a printable sheet for each student,
- * with numbers from the id and a secret in the key file, which students never get and which it makes if it is not
- * there; {@code -Pkey=key.txt} marks with it, and with {@code numbers: sheet} in the assignment, {@code grade} does not
- * mark without it. In a class of a hundred, at most ten share an answer with somebody in any exercise. {@code gradle
+ * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student
+ * and a key file, which students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the
+ * assignment tells {@code grade} of it. In a class of a hundred almost never is one student's answer also right for
+ * another; with numbers from the id, at most ten share an answer with somebody in any exercise. {@code gradle
  * autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is marked in parts, on any number of processors or machines; README's section on exercises has the
