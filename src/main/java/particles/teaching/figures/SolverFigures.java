@@ -30,12 +30,11 @@ import particles.view.Series.Mark;
  * @param facts         the numbers
  * @param order         error against deltaT
  * @param region        the stability region; empty if it cannot be measured on single steps
- * @param growth        the factor by which a step multiplies the solution; empty likewise
  * @param energy        the energy of a spring over time
  * @param workPrecision error against evaluations, beside other solvers
  */
-public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region, Optional<DataTable> growth,
-        Panel energy, Panel workPrecision) {
+public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region, Panel energy,
+        Panel workPrecision) {
     private static final double ENERGY_STEP = 0.1;
     private static final Axis ENERGY = Axis.log("|energy / first energy - 1|", "");
     private static final int ENERGY_STEPS = 2000;
@@ -44,8 +43,6 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
     private static final double BACK = 0.25;
     private static final String THERE_AND_BACK = "distance from the start after a step of " + BACK + " and a step back";
     private static final double BLOWN_UP = 1e12;
-    /** A smaller difference from 1 does not show in the eight digits of the table. */
-    private static final double SHOWN = 5e-9;
     private static final List<String> BESIDE = List.of("midpoint", "rk4", "verlet");
 
     /**
@@ -79,7 +76,7 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
                 Panel.of(name + ": error against deltaT", List.of(new Chart(Axis.log("deltaT", "s"),
                         Axis.log("error after 2 s", ""), List.of(series(name, Mark.LINE_AND_POINTS, order.points())))))
                         .answered(Double.isNaN(order.order()) ? "" : Digits.format("order %.2f", order.order())),
-                stability.region(), stability.growth(),
+                stability.region(),
                 Panel.of(name + ": energy of a spring, deltaT = " + ENERGY_STEP + " s", List.of(new Chart(Axis.TIME,
                         ENERGY, energies.stream().map(one -> one.ending(Digits.few(Arrays.stream(one.y()).max()
                         .orElse(Double.NaN), 2))).toList()))),
@@ -135,8 +132,6 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
             Springs springs = new Springs();
             springs.step(maker.get(), 1);
             StepMatrix step = springs.steps();
-            rows.add(List.of("a spring's amplitude, factor in a step of deltaT omega = 1", text(step.radius()),
-                    amplitude(step.radius())));
             double area = step.determinant() - 1;
             rows.add(List.of("areas in state space, factor in a step of deltaT omega = 1",
                     text(step.determinant()), small != large
@@ -151,18 +146,6 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
                 : "not reversible")).orElse(List.of(THERE_AND_BACK, "-", "it refuses a step back")));
         return new DataTable("facts", "What it does", Stream.of("property", "value", "meaning")
                 .map(DataTable::column).toList(), rows);
-    }
-
-    private static String amplitude(double factor) {
-        if (Math.abs(factor - 1) < SHOWN) {
-            return "kept";
-        }
-        if (factor > 1.995) {
-            return factor < 2.005 ? "doubles in every step"
-                    : Digits.format("becomes %.3g times as large in every step", factor);
-        }
-        return Digits.format("%s by %.2g %% in every step", factor > 1 ? "grows" : "shrinks",
-                100 * Math.abs(factor - 1));
     }
 
     private static String text(double x) {

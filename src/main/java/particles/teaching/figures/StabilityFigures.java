@@ -1,20 +1,11 @@
 package particles.teaching.figures;
 
-import static particles.view.DataTable.column;
-
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityMap;
@@ -25,26 +16,17 @@ import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
 import particles.view.Chart;
-import particles.view.DataTable;
-import particles.view.DataTable.Cells;
 import particles.view.Look;
 import particles.view.Panel;
-import particles.view.Series;
-import particles.view.Series.Mark;
 
 /**
  * The stability limits and the stability region of a solver, measured on its steps.
  *
  * @param rows   the limits, or why there are none: property, value, meaning
- * @param region the part of the plane where a step does not grow, beside the most similar built-in solver's
- * @param growth the factor by which a step multiplies the solution, beside the exact one and those of built-in solvers
+ * @param region the part of the plane where a step does not grow
  */
-record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optional<DataTable> growth) {
-    /** With more noise the coefficients of R are not known well enough to be named. */
-    private static final double CLEAN = 1e-9;
+record StabilityFigures(List<List<Object>> rows, Optional<Panel> region) {
     private static final double STABLE = 1 + 1e-8;
-    /** Growth is compared up to this factor. */
-    private static final double MOST = 4;
     /** So much is shown of a plane without a border between stable and unstable. */
     private static final double EMPTY = 4;
     private static final int DIRECTIONS = 12;
@@ -64,12 +46,6 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
     private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
     private static final String DAMPED = "damped limit: largest stable deltaT omega";
-    private static final List<String> FOR_ALL = List.of("euler", "midpoint", "rk4", "backward-euler",
-            "implicit-midpoint");
-    private static final List<String> FOR_SPRINGS = List.of("symplectic-euler", "verlet", "yoshida4");
-    private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4},
-            {-1, 1}};
-
     /**
      * @param name      the solver's name in charts
      * @param maker     makes a new solver
@@ -84,21 +60,12 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
         if (measured.isEmpty()) {
             return new StabilityFigures(List.of(List.of(REAL, "-", trial.objection()),
                     List.of(IMAGINARY, "-", "the same")),
-                    Optional.empty(), Optional.empty());
+                    Optional.empty());
         }
         Amplification own = measured.get();
         boolean springs = own.ofSprings();
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
         double noise = builtIn ? 0 : 10 * trial.noise();
-        Map<String, Amplification> others = others(name, own);
-        String nearest = Collections.min(others.keySet(), Comparator.comparing(other -> distance(own,
-                others.get(other))));
-        List<List<Object>> rows = new ArrayList<>();
-        if (!subStep && !springs && !multistep && trial.noise() < CLEAN) {
-            StabilityFunction.of(maker, trial.noise())
-                    .ifPresent(r -> rows.add(List.of("R(z), factor of a step in y' = lambda y, z = lambda deltaT",
-                    r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
-        }
         StabilityLimit damping = StabilityLimit.measure(h -> own.at(-h, 0) - noise);
         StabilityLimit spring = StabilityLimit.measure(h -> own.at(0, h) - noise);
         String how = own.manySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
@@ -107,16 +74,14 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
         List<Object> undamped = List.of(IMAGINARY, text(spring), "of an undamped spring"
                 + (springs ? "" : ": on the imaginary axis") + (spring.value() == 0 ? "; grows at any deltaT" : "")
                 + how);
-        rows.addAll(springs ? List.of(undamped, damped) : List.of(damped, undamped));
         String answer = "stable: " + (springs ? "critical damping " : "damping ") + most(damping)
                 + ", undamped springs " + most(spring);
         double cost = (own.manySteps() ? MANY_STEPS : 1) * LENGTHS.stream().mapToLong(deltaT -> Math.max(
                 evaluations(maker, new Springs(), deltaT), springs ? 0 : evaluations(maker, new StiffDecay(), deltaT
                 / StiffDecay.RATE))).average().orElseThrow();
         double cells = Math.max(FEW_CELLS, Math.min(CELLS, Math.sqrt(EVALUATIONS / cost)));
-        return new StabilityFigures(rows, Optional.of(Panel.map(name + ": stability region",
-                chart(name, own, nearest, others.get(nearest), cells)).answered(answer)),
-                Optional.of(table(name, own, nearest, others)));
+        return new StabilityFigures(springs ? List.of(undamped, damped) : List.of(damped, undamped), Optional.of(
+                Panel.map(name + ": stability region", chart(name, own, cells)).answered(answer)));
     }
 
     private static long evaluations(Supplier<DESolver> maker, StudentSource source, double deltaT) {
@@ -134,41 +99,15 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
                 : Digits.format("to %.4g", limit.value());
     }
 
-    /** @return the built-in solvers with which it is compared, tried as it is: on springs, or on the test equation */
-    private static Map<String, Amplification> others(String name, Amplification own) {
-        List<String> names = new ArrayList<>(FOR_ALL);
-        if (own.ofSprings()) {
-            names.addAll(FOR_SPRINGS);
-        }
-        if (own.manySteps()) {
-            names.add("adams");
-        }
-        names.remove(name);
-        Map<String, Amplification> others = new LinkedHashMap<>();
-        names.forEach(other -> others.put(other, own.ofSprings()
-                ? new Amplification(() -> SolverCatalog.create(other), true, false)
-                : Amplification.of(SolverCatalog.info(other))));
-        return others;
-    }
-
-    /** @return how much the growth of two solvers differs at the places of the table */
-    private static double distance(Amplification own, Amplification other) {
-        return Arrays.stream(PLACES).mapToDouble(at -> Math.abs(Math.min(MOST, own.at(at[0], at[1]))
-                - Math.min(MOST, other.at(at[0], at[1])))).sum();
-    }
-
-    private static Chart chart(String name, Amplification own, String nearest, Amplification other, double cells) {
-        Window window = window(List.of(own, other), cells);
+    private static Chart chart(String name, Amplification own, double cells) {
+        Window window = window(own, cells);
         StabilityMap map = new StabilityMap(own::at, window);
-        Series beside = new StabilityMap(other::at, window).outline(Look.of(SolverCatalog.info(nearest)), nearest);
         Look look = SolverCatalog.find(name).map(Look::of).orElse(Look.OWN);
-        // pale and wide, so that a line along which it runs is seen
-        return StabilityRegion.chart(List.of(map.outline(look, name), map.filled(look),
-                new Series(beside.look(), nearest, Mark.BAND, beside.x(), beside.y())), window);
+        return StabilityRegion.chart(List.of(map.outline(look, name), map.filled(look)), window);
     }
 
     /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */
-    private static Window window(List<Amplification> solvers, double cells) {
+    private static Window window(Amplification own, double cells) {
         double factor = cells > FEW_CELLS ? FINE : COARSE;
         double left = 0;
         double right = 0;
@@ -176,15 +115,13 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
         for (int k = 0; k <= DIRECTIONS; k++) {
             double cos = StrictMath.cos(Math.PI * k / DIRECTIONS);
             double sin = StrictMath.sin(Math.PI * k / DIRECTIONS);
-            for (Amplification one : solvers) {
-                boolean stable = one.at(NEAREST * cos, NEAREST * sin) <= STABLE;
-                for (double size = NEAREST; size < FARTHEST; size *= factor) {
-                    if (one.at(size * cos, size * sin) <= STABLE != stable) {
-                        stable = !stable;
-                        left = Math.min(left, size * cos);
-                        right = Math.max(right, size * cos);
-                        top = Math.max(top, size * sin);
-                    }
+            boolean stable = own.at(NEAREST * cos, NEAREST * sin) <= STABLE;
+            for (double size = NEAREST; size < FARTHEST; size *= factor) {
+                if (own.at(size * cos, size * sin) <= STABLE != stable) {
+                    stable = !stable;
+                    left = Math.min(left, size * cos);
+                    right = Math.max(right, size * cos);
+                    top = Math.max(top, size * sin);
                 }
             }
         }
@@ -198,32 +135,5 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region, Optiona
         right = Math.max(right, left + 2 * margin + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
         return new Window(left, right, -top, top, size / cells);
-    }
-
-    private static DataTable table(String name, Amplification own, String nearest,
-            Map<String, Amplification> others) {
-        List<String> beside = new ArrayList<>(Stream.of("euler", "midpoint", "rk4", nearest).distinct().toList());
-        beside.remove(name);
-        List<Cells<double[]>> columns = new ArrayList<>(List.of(column("deltaT lambda", StabilityFigures::place),
-                column("exactly", at -> digits(StrictMath.exp(at[0]))),
-                column(name, at -> digits(own.at(at[0], at[1])))));
-        beside.forEach(other -> columns.add(column(other, at -> digits(others.get(other).at(at[0], at[1])))));
-        return DataTable.of("growth", own.ofSprings()
-                ? "By how much a step multiplies the amplitude of a damped spring; exactly |exp(deltaT lambda)|"
-                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|",
-                List.of(PLACES), columns);
-    }
-
-    private static String place(double[] at) {
-        return at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i"
-                : number(at[0]) + " + " + number(at[1]) + " i";
-    }
-
-    private static String number(double x) {
-        return Digits.exact(x);
-    }
-
-    private static String digits(double x) {
-        return x == Double.POSITIVE_INFINITY ? "refused" : Digits.format("%.6f", x);
     }
 }

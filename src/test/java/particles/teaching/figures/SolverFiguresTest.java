@@ -3,7 +3,6 @@ package particles.teaching.figures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
-import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
@@ -32,16 +31,14 @@ class SolverFiguresTest {
     @Test
     void rk4HasItsLimitsAndDamps() {
         SolverFigures rk4 = figures("rk4");
-        assertStarts(value(rk4, "R(z)"), "1 + z + z^2/2 + z^3/6 + z^4/24 the same for all methods of order 4");
         // eight digits are shown
         assertEquals(2.785293563405282, number(rk4, "real limit"), 5e-8);
         assertEquals(2 * Math.sqrt(2), number(rk4, "imaginary limit"), 5e-8);
-        // |R(i)|^2 = (1 - 1/2 + 1/24)^2 + (1 - 1/6)^2 = 569/576
-        assertEquals(Math.sqrt(569.0 / 576), number(rk4, "a spring's amplitude"), 5e-9);
         assertEquals(4, number(rk4, "order"), 0.05);                                                // measured 4.013
+        // |R(i)|^2 = (1 - 1/2 + 1/24)^2 + (1 - 1/6)^2 = 569/576
+        assertEquals(569.0 / 576, number(rk4, "areas in state space"), 5e-9);
         assertHas(value(rk4, "areas in state space"), "not symplectic: areas shrink");
         assertTrue(value(rk4, "distance from the start").endsWith("not reversible"));
-        assertHas(value(rk4, "a spring's amplitude"), "shrinks by 0.61 %");
         assertTrue(rk4.region().isPresent());
     }
 
@@ -55,7 +52,6 @@ class SolverFiguresTest {
         assertEquals(2, number(verlet, "imaginary limit"), 5e-8);
         // README's limit, to the two digits that it gives
         assertEquals(SolverCatalog.info("verlet").dampedLimit(), number(verlet, "damped limit"), 0.005);
-        assertTrue(value(verlet, "a spring's amplitude").endsWith("kept"));
         assertTrue(verlet.region().isPresent());
     }
 
@@ -63,8 +59,6 @@ class SolverFiguresTest {
     void eulerGrowsAndNoSpringIsStable() {
         SolverFigures euler = figures("euler");
         assertEquals(2, number(euler, "areas in state space"), 5e-8);           // 1 + h^2
-        assertEquals(Math.sqrt(2), number(euler, "a spring's amplitude"), 5e-8);
-        assertHas(value(euler, "a spring's amplitude"), "grows by 41 %");
         assertEquals(0, number(euler, "imaginary limit"));
         assertEquals(2, number(euler, "real limit"), 5e-8);
         assertEquals(1, number(euler, "evaluations"));
