@@ -33,9 +33,6 @@ class TextHabitTest {
     /** Rows of a text, each of them split: a table that no compiler checks. */
     private static final Pattern ROWS = Pattern.compile("[.]split[(]\"( = | ?\\[[|]\\] ?)\"");
 
-    /** The checks of students' work, which are about to lose the habit. */
-    private static final List<String> STILL = List.of("particles/teaching/solvers", "particles/teaching/contract",
-            "particles/teaching/effects", "particles/app/course", "particles/app/student");
     /** A tableau in the shape in which textbooks print it. */
     private static final String PRINTED = "ButcherTableau.java";
     private static final Pattern COMMENT = Pattern.compile("/[*].*?[*]/|(?m)^\\s*//[^\n]*", Pattern.DOTALL);
@@ -52,7 +49,7 @@ class TextHabitTest {
         try (Stream<Path> files = Files.walk(MAIN)) {
             for (Path file : files.filter(file -> file.toString().endsWith(".java")).sorted().toList()) {
                 String place = MAIN.relativize(file).toString().replace('\\', '/');
-                if (STILL.stream().noneMatch(place::startsWith) && !place.endsWith(PRINTED)) {
+                if (!place.endsWith(PRINTED)) {
                     habits(Files.readString(file)).forEach(habit -> wrong.add(place + ": " + habit));
                 }
             }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.app.student.EffectSkeleton;
 import particles.app.student.StudentClasses;
 import particles.app.student.StudentLoader;
 import particles.scene.Scene;
@@ -25,7 +26,6 @@ import particles.scene.SceneReader;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectSample;
-import particles.teaching.effects.EffectSkeleton;
 
 /** A student's own effect is one class that a scene names: the example in the javadoc of {@code particles.effects}. */
 class OwnEffectTest {

@@ -12,7 +12,6 @@ import particles.app.cli.ProgramCommand;
 import particles.app.student.SolverSkeleton.Base;
 import particles.app.student.SolverSkeleton.Example;
 import particles.spec.messages.InvalidInputException;
-import particles.teaching.effects.EffectSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

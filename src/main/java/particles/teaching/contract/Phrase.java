@@ -57,7 +57,6 @@ public enum Phrase {
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
     STAGE_TIMES(Kind.TIME, "k%s is taken at %s; %s says %s: %s"),
     COUNT(Kind.METHOD, "%s; a step evaluates the derivative %s times, and %s does %s times"),
-    ORDER(Kind.METHOD, "%s"),
     OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
             + " and the velocity %s a deltaT; with %s they are %s and %s"),
     NO_BETTER(Kind.METHOD, "the order is %s with %s evaluations in a step, and it is not stable in longer steps than as"
@@ -114,16 +113,11 @@ public enum Phrase {
             + " to enter the new state whatever it is"),
     NOTHING_BACK(Kind.STYLE, "a step of negative deltaT does nothing, and says nothing"),
     MOVES_AT_ZERO(Kind.STATE, "a step of deltaT = 0 moves the state by %s"),
-    NAN_AT_ZERO(Kind.STYLE, "a step of deltaT = 0 makes the state NaN: something is divided by deltaT"),
     ONLY_PARTICLES(Kind.STYLE, "it steps particles, six numbers each, and no source of two numbers: %s"),
     FOR_PARTICLES(Kind.STYLE, "it works on systems of positions and velocities only, such as particles, and refuses"
             + " others"),
     REFUSES_BACK(Kind.STYLE, "it refuses a negative deltaT (%s)"),
-    REFUSES_ZERO(Kind.STYLE, "it refuses deltaT = 0 (%s); the built-in solvers change nothing then"),
-    LEFT_WITHIN(Kind.STYLE, "when the source fails within a step, state and time stay where they were then;"
-            + " deSolvers.FixedStepSolver puts them back"),
-    NAN_UNNOTICED(Kind.STYLE, "where the derivative is NaN, nothing is said; deSolvers.FixedStepSolver reports it"),
-    NAN_UNSAID(Kind.STYLE, "where the derivative is NaN, the exception that the solver throws says nothing");
+    REFUSES_ZERO(Kind.STYLE, "it refuses deltaT = 0 (%s); the built-in solvers change nothing then");
 
     private final Kind kind;
     private final String sentence;

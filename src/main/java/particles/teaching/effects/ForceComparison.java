@@ -16,14 +16,16 @@ import particles.teaching.Formula;
  */
 record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
     private static final double SAME = 1e-5;
-    /** Factor, power of the mass, and the mistake if the force is so many times the right one. */
-    private static final String PATTERNS = """
-            -1 0 : the sign is wrong, in the force or in OTHER
-            0.5 0 : the half is missing in OTHER, or one was taken too often in the force
-            2 0 : the force is twice what it should be, or a half too many stands in OTHER
-            1 -1 : the mass is missing in the force, which is mass times acceleration
-            1 1 : the mass is missing in OTHER, or stands in the force once too often
-            """;
+    private static final List<Pattern> PATTERNS = List.of(
+            new Pattern(-1, 0, "the sign is wrong, in the force or in %s"),
+            new Pattern(0.5, 0, "the half is missing in %s, or one was taken too often in the force"),
+            new Pattern(2, 0, "the force is twice what it should be, or a half too many stands in %s"),
+            new Pattern(1, -1, "the mass is missing in the force, which is mass times acceleration"),
+            new Pattern(1, 1, "the mass is missing in %s, or stands in the force once too often"));
+
+    /** The mistake if the force is this factor and power of the mass times the right one. */
+    private record Pattern(double factor, int power, String mistake) {
+    }
 
     private double size() {
         return Math.max(EffectTrial.largest(force), EffectTrial.largest(expected));
@@ -49,10 +51,9 @@ record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
         int largest = trial.velocities().boxed().max((i, k) -> Double.compare(Math.abs(expected[i]), Math.abs(
                 expected[k]))).orElseThrow();
         double factor = force[largest] / expected[largest];
-        return leftOut().or(() -> PATTERNS.lines().map(line -> line.split(" ", 3)).filter(parts -> fits(
-                Double.parseDouble(parts[0]), Integer.parseInt(parts[1]))).map(parts -> parts[2].replace("OTHER",
-                other)).findFirst()).or(() -> Optional.of(": all of it is " + Formula.number(factor)
-                + " times what it should be").filter(text -> fits(factor, 0)))
+        return leftOut().or(() -> PATTERNS.stream().filter(one -> fits(one.factor, one.power)).map(one -> ": "
+                + Formula.text(one.mistake, other)).findFirst()).or(() -> Optional.of(": all of it is "
+                + Formula.number(factor) + " times what it should be").filter(text -> fits(factor, 0)))
                 .or(() -> velocities ? Optional.empty() : centre()).orElseGet(() -> {
                     List<String> off = names(k -> k % 3, "xyz"::charAt);
                     List<String> on = names(k -> k / 6, trial::id);

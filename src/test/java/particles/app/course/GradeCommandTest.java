@@ -24,9 +24,9 @@ import particles.Xml;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.app.student.EffectSkeleton;
 import particles.app.student.ExerciseCommand;
 import particles.app.student.ExercisesCommand;
-import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.exercises.Exercises;
 
 /** The exercises through the program: the list, a text, a mark,

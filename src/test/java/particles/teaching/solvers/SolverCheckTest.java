@@ -151,7 +151,7 @@ class SolverCheckTest {
 
     @Test
     void notesTellWhatIsRightAndCouldBeBetter() {
-        assertNotes(Kinds.right().get(0), Phrase.DRAG, Phrase.ONLY_PARTICLES, Phrase.LEFT_WITHIN);
+        assertNotes(Kinds.right().get(0), Phrase.DRAG, Phrase.ONLY_PARTICLES);
         assertNotes(Kinds.right().get(6), Phrase.NOTHING_BACK);
     }
 

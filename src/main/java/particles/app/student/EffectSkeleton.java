@@ -1,4 +1,4 @@
-package particles.teaching.effects;
+package particles.app.student;
 
 /** The template of a student's force law: it compiles, and its keys can be used in a scene. */
 public final class EffectSkeleton {
