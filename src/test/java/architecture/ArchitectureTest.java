@@ -75,8 +75,9 @@ class ArchitectureTest {
                                            particles.effects.springs particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.spec particles.spec.messages particles.teaching
-                                           particles.teaching.effects particles.teaching.exercises
-                                           particles.teaching.figures particles.teaching.solvers particles.view
+                                           particles.teaching.declared particles.teaching.effects
+                                           particles.teaching.exercises particles.teaching.figures
+                                           particles.teaching.solvers particles.view
                                            javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
@@ -138,8 +139,9 @@ class ArchitectureTest {
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
             particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
-            particles.teaching.contract:   deSolvers deSolvers.problems particles.teaching
+            particles.teaching.compared:   deSolvers particles.teaching particles.teaching.declared
                                            particles.teaching.sources
+            particles.teaching.declared:   deSolvers particles.teaching
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems deSolvers.rungeKutta
@@ -147,9 +149,12 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.spec particles.spec.messages
             particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
-                                           particles.teaching.contract particles.teaching.solvers
+                                           particles.teaching.measured particles.teaching.solvers
                                            particles.teaching.sources particles.view
-            particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
+            particles.teaching.measured:   deSolvers deSolvers.problems particles.teaching
+                                           particles.teaching.declared particles.teaching.sources
+            particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.compared
+                                           particles.teaching.declared particles.teaching.measured
                                            particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems deSolvers.text particles.teaching
             particles.view:                deSolvers.catalog deSolvers.text particles.law

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.teaching.solvers.Method;
+import particles.teaching.declared.Method;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 

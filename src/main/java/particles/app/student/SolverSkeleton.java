@@ -2,7 +2,7 @@ package particles.app.student;
 
 import java.util.Locale;
 import java.util.regex.Matcher;
-import particles.teaching.solvers.SolverCheck;
+import particles.teaching.declared.Declaration;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
 final class SolverSkeleton {
@@ -151,7 +151,7 @@ final class SolverSkeleton {
      * @return the text of a solver
      */
     static String solver(String name, Base base) {
-        String outline = SolverCheck.declared(name).map(method -> switch (method) {
+        String outline = Declaration.of(name).map(Declaration::method).map(method -> switch (method) {
             case MIDPOINT, RK2 -> MIDPOINT;
             case RK4 -> RK4;
             case SYMPLECTIC_EULER, VERLET -> SIMPLE;

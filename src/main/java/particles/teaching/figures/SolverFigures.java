@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.GuardedRun;
-import particles.teaching.contract.SolverContract;
+import particles.teaching.measured.SolverContract;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.Springs;
@@ -21,8 +21,8 @@ import particles.view.Chart;
 import particles.view.DataTable;
 import particles.view.Look;
 import particles.view.Panel;
-import particles.view.Series;
 import particles.view.Series.Mark;
+import particles.view.Series;
 
 /**
  * Measurements of a solver on motions with known solutions, as numbers and charts.

@@ -12,12 +12,21 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
-import particles.teaching.contract.ClockCheck;
-import particles.teaching.contract.FreeFall;
-import particles.teaching.contract.Phrase;
-import particles.teaching.contract.SolverContract;
-import particles.teaching.contract.SolverMemory;
-import particles.teaching.solvers.Agreement.Match;
+import particles.teaching.compared.Agreement;
+import particles.teaching.compared.Agreement.Match;
+import particles.teaching.compared.Fit;
+import particles.teaching.compared.Reading;
+import particles.teaching.declared.Declaration;
+import particles.teaching.declared.Equation;
+import particles.teaching.declared.Method;
+import particles.teaching.declared.Scheme;
+import particles.teaching.measured.ClockCheck;
+import particles.teaching.measured.Control;
+import particles.teaching.measured.FreeFall;
+import particles.teaching.measured.Orders;
+import particles.teaching.measured.Phrase;
+import particles.teaching.measured.SolverContract;
+import particles.teaching.measured.SolverMemory;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -34,7 +43,6 @@ public final class SolverCheck {
     private final List<Finding> notes = new ArrayList<>();
     private String identity = UNKNOWN;
     private Optional<Method> known = Optional.empty();
-    private boolean remembers;
     private boolean multistep;
     private Orders orders;
 
@@ -71,11 +79,6 @@ public final class SolverCheck {
         return new SolverCheck(maker, Optional.of(new Declaration(method, true, true))).verdict();
     }
 
-    /** @return the method that a class's name declares */
-    public static Optional<Method> declared(String className) {
-        return Declaration.of(className).map(Declaration::method);
-    }
-
     private SolverVerdict verdict() {
         List<Finding> findings = new ArrayList<>();
         try {
@@ -91,7 +94,7 @@ public final class SolverCheck {
 
     private List<Finding> judge() {
         SolverMemory memory = new SolverMemory(maker, control.makesSubSteps());
-        remembers = memory.remembers();
+        boolean remembers = memory.remembers();
         Optional<Finding> clock = first(() -> ClockCheck.mistake(maker));
         Optional<Finding> formula = clock.or(() -> remembers ? ofEarlierSteps() : ofOneStep());
         List<Finding> findings = new ArrayList<>(formula.stream().toList());
@@ -166,15 +169,12 @@ public final class SolverCheck {
         if (turns || known.isEmpty() && read.isEmpty()) {
             orders.note().ifPresent(notes::add);
         }
-        boolean matrix = contract.makesDifferences();
-        boolean subSteps = control.makesSubSteps();
-        return first(() -> implicit && known.isEmpty()
-                && declared.get().alone() ? unsolved(fit, read) : Optional.empty(), () -> orders.mistake(
-                declared, read.isPresent()), contract::asymmetric, () -> subSteps ? control.uncontrolled()
-                : Phrase.NO_CONTROL.when(declared.filter(one -> one.method() == Method.ADAPTIVE).isPresent()), () ->
-                known.isEmpty() && read.isEmpty() && (implicit
-                || matrix) ? control.unstable().filter(one ->
-                one.isWrong() || notes.add(one)).filter(Finding::isWrong) : Optional.empty(), () -> earlier(),
+        return first(() -> implicit && known.isEmpty() && declared.get().alone() ? unsolved(fit, read)
+                : Optional.empty(), () -> orders.mistake(declared, read.isPresent()), contract::asymmetric, () ->
+                control.makesSubSteps() ? control.uncontrolled() : Phrase.NO_CONTROL.when(declared.filter(one ->
+                one.method() == Method.ADAPTIVE).isPresent()), () -> known.isEmpty() && read.isEmpty()
+                && (implicit || contract.makesDifferences()) ? control.unstable().filter(one ->
+                one.isWrong() || notes.add(one)).filter(Finding::isWrong) : Optional.empty(), this::earlier,
                 () -> read.flatMap(scheme -> Phrase.NO_BETTER.when(scheme.size() > 1 && orders.order() < 1.5
                 && !control.isStableAs(scheme.size()), orders.clock().digits(), scheme.size())));
     }
@@ -192,9 +192,8 @@ public final class SolverCheck {
             return Optional.empty();
         }
         Fit.Found best = fit.best(method, method.equations().get(0));
-        return read.map(scheme ->
-                Phrase.EXPLICIT.of(scheme.size(), method.title(), best.equation().formula(), best.deltaT(),
-                best.residual())).or(() -> Optional.of(off(best)));
+        return read.map(scheme -> Phrase.EXPLICIT.of(scheme.size(), method.title(), best.equation().formula(),
+                best.deltaT(), best.residual())).or(() -> Optional.of(off(best)));
     }
 
     private static Finding off(Fit.Found found) {
@@ -254,9 +253,9 @@ public final class SolverCheck {
     }
 
     private String described(Optional<Scheme> read) {
-        String order = orders.whole().map(whole -> " of order " + whole).orElse("");
-        return "This is a method" + order + (read.isPresent() ? " (evaluations in a step: "
-                + read.get().size() + ")" : control.makesSubSteps() ? " that makes sub-steps" : "")
+        return "This is a method" + orders.whole().map(whole -> " of order " + whole).orElse("")
+                + (read.isPresent() ? " (evaluations in a step: " + read.get().size() + ")"
+                : control.makesSubSteps() ? " that makes sub-steps" : "")
                 + "; it is none that the check knows by name.";
     }
 
@@ -268,8 +267,7 @@ public final class SolverCheck {
         identity = known.map(method -> "This is " + method.title() + ".").orElse(multistep ? "This is "
                 + Method.MULTISTEP.title() + "." : "This is a method that keeps something of earlier steps.");
         Optional<Finding> wrong = first(() -> Phrase.STALE.when(StudentSource.after(new WindyOscillators(1),
-                maker.get(),
-                2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () ->
+                maker.get(), 2, SHORT).getEvaluations() == contract.evaluations(1, SHORT)), () ->
                 FreeFall.mistake(maker, STEPS), contract::units, () -> {
             orders = Orders.of(maker);
             return orders.mistake(declared, false);

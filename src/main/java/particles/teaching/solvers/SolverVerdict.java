@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import java.util.List;
 import java.util.Optional;
 import particles.teaching.Finding;
+import particles.teaching.declared.Method;
 
 /**
  * The result of checking a solver: its method, mistakes and advice.

@@ -169,6 +169,15 @@ public abstract class StudentSource extends ReferenceProblem {
         super.getStateDerivative(dSdt);
     }
 
+    /** @return the largest difference of two entries; NaN if there is one */
+    public static double distance(double[] x, double[] y) {
+        double distance = 0;
+        for (int k = 0; k < x.length; k++) {
+            distance = Math.max(distance, Math.abs(x[k] - y[k]));
+        }
+        return distance;
+    }
+
     /** A source of positions and velocities in space, whose accelerations do not depend on velocities. */
     public interface SecondOrderSource extends SecondOrderStateSource {
         @Override

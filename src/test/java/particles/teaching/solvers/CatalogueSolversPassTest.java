@@ -9,7 +9,8 @@ import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.teaching.Finding;
-import particles.teaching.contract.Phrase;
+import particles.teaching.declared.Method;
+import particles.teaching.measured.Phrase;
 
 /** The built-in solvers are right, and recognised. */
 class CatalogueSolversPassTest {

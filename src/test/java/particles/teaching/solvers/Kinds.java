@@ -12,7 +12,8 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
 import java.util.function.Supplier;
-import particles.teaching.contract.Phrase;
+import particles.teaching.declared.Step;
+import particles.teaching.measured.Phrase;
 
 /** Kinds of solvers as students and public code write them, each with the verdict that a teacher would give. */
 final class Kinds {

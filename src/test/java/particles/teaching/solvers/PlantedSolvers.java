@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
+import particles.teaching.declared.Step;
 
 /** Solvers as students write them, each with one mistake. */
 public final class PlantedSolvers {

@@ -18,7 +18,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.teaching.Finding;
-import particles.teaching.contract.Phrase;
+import particles.teaching.compared.Mistake;
+import particles.teaching.declared.Declaration;
+import particles.teaching.declared.Method;
+import particles.teaching.declared.Scheme;
+import particles.teaching.declared.Step;
+import particles.teaching.measured.Phrase;
 import particles.teaching.solvers.Kinds.Kind;
 
 /** The check of solvers: no right one is accused, and each kind of wrong ones gets its verdict. */
@@ -110,13 +115,13 @@ class SolverCheckTest {
         "SemiImplicitEuler,SYMPLECTIC_EULER", "EulerSolver,EULER", "AB2Stepper,AB2", "LeapfrogIntegrator,VERLET",
                 "RungeKutta4,RK4", "RKF45,RK45"})
     void aClassNameDeclaresAMethod(String name, Method method) {
-        assertEquals(Optional.of(method), SolverCheck.declared(name));
+        assertEquals(Optional.of(method), Declaration.of(name).map(Declaration::method));
     }
 
     @ParameterizedTest
     @CsvSource({"MySolver", "RungeKuttaSolver", "Homework4", "Heunisch", "SolverForVerlaine"})
     void nothingElseIsReadFromNames(String name) {
-        assertEquals(Optional.empty(), SolverCheck.declared(name));
+        assertEquals(Optional.empty(), Declaration.of(name).map(Declaration::method));
     }
 
     /** Richardson's extrapolation of Euler's method is the midpoint method. */

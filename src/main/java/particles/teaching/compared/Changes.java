@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.compared;
 
 import deSolvers.DEStateSource;
 import java.util.Arrays;
@@ -8,9 +8,15 @@ import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import particles.teaching.declared.Equation;
+import particles.teaching.declared.Scheme;
+import particles.teaching.declared.Step;
 
 /** Changes of a method's weights and steps, of which the typical mistakes are made. */
 final class Changes {
+    /** The place of the state before the first of six steps. */
+    private static final double FIRST = -5;
+
     private Changes() {
     }
 
@@ -147,6 +153,42 @@ final class Changes {
                 t * j).toArray(), Arrays.stream(s.times()).map(c -> c == 0 ? 0 : t).toArray(), Arrays.stream(s.times())
                 .map(c -> t).toArray()));
         return Stream.of(Stream.of(sums), one, all).flatMap(times -> times).map(s::at);
+    }
+
+    /** @return the typical mistakes in an equation */
+    static Stream<Equation> ofEquation(Equation right) {
+        double[] states = right.states();
+        double[] places = right.places();
+        double[] clocks = right.clocks();
+        double[] rates = right.rates();
+        boolean implicit = right.isImplicit();
+        Stream<double[]> clock = implicit ? IntStream.range(0, clocks.length).boxed().flatMap(j -> Stream.of(0.0, 0.5,
+                1.0).map(t -> put(clocks, j, t))) : Stream.empty();
+        Stream<double[]> rate = Stream.concat(Stream.of(-1.0, 0.5, 2.0, 1 / Scheme.sum(rates)).map(factor ->
+                scaled(rates, 0, 99, factor)), IntStream.range(0, rates.length).boxed().flatMap(j -> Stream.of(-1.0,
+                0.0, 0.5, 2.0, 1 / rates[j]).map(factor -> scaled(rates, j, j + 1, factor))));
+        Stream<double[]> state = IntStream.range(0, states.length).mapToObj(j -> scaled(states, j, j + 1, -1));
+        Stream<double[]> place = !right.usesEarlier() ? Stream.empty() : IntStream.range(0, places.length).boxed()
+                .flatMap(j -> Stream.of(places[j] - 1, places[j] + 1, implicit ? places[j] : FIRST).map(other ->
+                put(places, j, other)));
+        return Stream.of(clock.map(c -> new Equation(states, places, c, rates)),
+                rate.map(w -> new Equation(states, places, clocks, w)),
+                Stream.of(new Equation(states, places, clocks, reversed(rates)),
+                        new Equation(reversed(states), places, clocks, rates)),
+                state.map(a -> new Equation(a, places, clocks, rates)),
+                place.map(p -> new Equation(states, p, p, rates)),
+                Stream.of(new Equation(states, new double[places.length], clocks, rates)).filter(one -> !implicit))
+                .flatMap(all -> all);
+    }
+
+    private static double[] put(double[] numbers, int j, double value) {
+        double[] changed = numbers.clone();
+        changed[j] = value;
+        return changed;
+    }
+
+    private static double[] reversed(double[] numbers) {
+        return IntStream.range(0, numbers.length).mapToDouble(j -> numbers[numbers.length - 1 - j]).toArray();
     }
 
     /** @return the step of some entries, each with another one's derivative, while the others stand still */

@@ -1,4 +1,4 @@
-package particles.teaching.contract;
+package particles.teaching.measured;
 
 import deSolvers.DESolver;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package particles.teaching.contract;
+package particles.teaching.measured;
 
 import java.util.Arrays;
 import java.util.Optional;

@@ -1,11 +1,12 @@
-package particles.teaching.solvers;
+package particles.teaching.measured;
 
 import deSolvers.DESolver;
 import java.util.Iterator;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
-import particles.teaching.contract.Phrase;
+import particles.teaching.declared.Declaration;
+import particles.teaching.declared.Method;
 import particles.teaching.sources.Bodies;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.WindyOscillators;
@@ -18,26 +19,26 @@ import particles.teaching.sources.WindyOscillators;
  * @param drag   on one with drag
  * @param state  on the one with a clock, which is read off the state
  */
-record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement drag, OrderMeasurement state) {
+public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement drag, OrderMeasurement state) {
     private static final double HALF = 0.5;
     /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
     private static final double OFF_CLOCK = 20;
     /** Smaller errors may be those of a tolerance. */
     private static final double TOLERATED = 1e-8;
 
-    static Orders of(Supplier<DESolver> maker) {
+    public static Orders of(Supplier<DESolver> maker) {
         return new Orders(OrderMeasurement.measure(maker, Bodies::new), OrderMeasurement.of(maker, () ->
                 WindyOscillators.nonlinear(1)), OrderMeasurement.of(maker, WindyOscillators::withDrag),
                 OrderMeasurement.of(maker, WindyOscillators::timeless));
     }
 
     /** @return the lower one of the orders without drag; NaN if the error does not follow deltaT */
-    double order() {
+    public double order() {
         return bodies.order() < clock.order() ? bodies.order() : clock.order();
     }
 
     /** @return the order as a number of its own; empty if the error does not follow deltaT */
-    Optional<Long> whole() {
+    public Optional<Long> whole() {
         return Optional.of(order()).filter(order -> order > HALF).map(Math::round);
     }
 
@@ -50,7 +51,7 @@ record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement 
     }
 
     /** @return the mistake of errors that do not go to 0, or not as fast as declared, or only without a clock */
-    Optional<Finding> mistake(Optional<Declaration> declared, boolean withDrag) {
+    public Optional<Finding> mistake(Optional<Declaration> declared, boolean withDrag) {
         return far(bodies, " where bodies attract each other").or(() -> far(clock, "")).or(this::clocks).or(() ->
                 Phrase.DRAG_DIVERGES.when(drag.isFar(), drag.digits())).or(() -> declared.map(Declaration::method)
                 .flatMap(method -> low(lower(), where(), method).or(() -> !withDrag ? Optional.empty() : low(drag,
@@ -81,7 +82,7 @@ record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement 
     }
 
     /** @return the note on a method whose order falls with drag */
-    Optional<Finding> note() {
+    public Optional<Finding> note() {
         return Phrase.DRAG.when(drag.order() < order() - 0.7, lower().digits(), drag.digits());
     }
 }

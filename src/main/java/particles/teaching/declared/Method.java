@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.declared;
 
 import java.util.Arrays;
 import java.util.List;
@@ -161,7 +161,7 @@ public enum Method {
     }
 
     /** @return whether each step solves an equation for the new state */
-    boolean isImplicit() {
+    public boolean isImplicit() {
         return this == RADAU || equations.stream().anyMatch(equation -> equation.isImplicit()
                 && !equation.usesEarlier());
     }
@@ -173,7 +173,7 @@ public enum Method {
     }
 
     /** @return whether it is no method but all of a kind and order */
-    boolean isFamily() {
+    public boolean isFamily() {
         return schemes.isEmpty() && equations.isEmpty();
     }
 

@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.declared;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,14 +14,14 @@ import java.util.Set;
  * @param asked  whether it was asked for, so that no other method will do
  * @param alone  whether the name of the class says nothing else; RichardsonEuler need not be Euler
  */
-record Declaration(Method method, boolean asked, boolean alone) {
+public record Declaration(Method method, boolean asked, boolean alone) {
     private static final Set<String> FILLERS = Set.of("my", "our", "the", "own", "new", "simple", "basic", "standard",
             "fixed", "step", "solver", "method", "integrator", "stepper", "scheme", "rule", "ode", "de", "student",
             "team", "group", "test", "classical", "classic", "explicit", "implicit", "order", "task",
             "exercise", "homework", "assignment");
 
     /** @return what the name of a class declares; empty if it has none of the words */
-    static Optional<Declaration> of(String className) {
+    public static Optional<Declaration> of(String className) {
         List<String> words = words(className);
         Optional<Declaration> found = Optional.empty();
         int longest = 0;
@@ -65,12 +65,12 @@ record Declaration(Method method, boolean asked, boolean alone) {
     }
 
     /** @return whether a known method is no other one than declared */
-    boolean allows(Method known) {
+    public boolean allows(Method known) {
         return known == method || !asked && method.mayBe(known) || !asked && !alone || method.isFamily();
     }
 
     /** As above, of a method that may be unknown, and that uses earlier steps if it is a multistep method. */
-    boolean allows(Optional<Method> known, boolean multistep) {
+    public boolean allows(Optional<Method> known, boolean multistep) {
         return asked ? !multistep || method == Method.MULTISTEP || known.filter(method::equals).isPresent()
                 : known.filter(one -> !allows(one)).isEmpty();
     }

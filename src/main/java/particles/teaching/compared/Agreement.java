@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.compared;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
@@ -9,7 +9,9 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import particles.teaching.contract.SolverContract;
+import particles.teaching.declared.Method;
+import particles.teaching.declared.Scheme;
+import particles.teaching.declared.Step;
 import particles.teaching.sources.Bodies;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
@@ -18,13 +20,13 @@ import particles.teaching.sources.WindyOscillators;
  * A solver's first steps on two sources, to be compared with those of known methods: two bodies, and a nonlinear spring
  * whose force changes with the clock; with drag for a method that treats all entries alike.
  */
-final class Agreement {
+public final class Agreement {
     /** Coefficients with eight digits, such as Gill's, leave 1e-9. */
     private static final double PRINTED = 5e-9;
     private static final double ROUNDING = 1e-13;
     /** Float numbers leave 1e-8. */
     private static final double FLOAT = 5e-7;
-    static final double H = 0.1;
+    public static final double H = 0.1;
     private static final List<Supplier<StudentSource>> TURNS = List.of(Bodies::new, () -> off(
             WindyOscillators.nonlinear(2)));
     private static final List<Supplier<StudentSource>> ALL = List.of(Bodies::new, () -> off(
@@ -38,12 +40,12 @@ final class Agreement {
     }
 
     /** A method, and how far its steps are from the solver's. */
-    record Match(Method method, int size, double distance) {
-        boolean isFloat() {
+    public record Match(Method method, int size, double distance) {
+        public boolean isFloat() {
             return distance > PRINTED;
         }
 
-        boolean isPrinted() {
+        public boolean isPrinted() {
             return distance > ROUNDING;
         }
     }
@@ -56,10 +58,10 @@ final class Agreement {
      * @param mistake the mistake
      * @param changed its steps with it, if it is one of the weights
      */
-    record Cause(Method method, Scheme scheme, Mistake mistake, Optional<Scheme> changed) {
+    public record Cause(Method method, Scheme scheme, Mistake mistake, Optional<Scheme> changed) {
     }
 
-    Agreement(Supplier<DESolver> maker) {
+    public Agreement(Supplier<DESolver> maker) {
         turns = steps(maker, TURNS);
         all = steps(maker, ALL);
     }
@@ -92,7 +94,7 @@ final class Agreement {
                 return Double.POSITIVE_INFINITY;
             }
             method.apply(made.deltaT).make(source, made.deltaT);
-            double distance = SolverContract.distance(made.end.get(), source.getState());
+            double distance = StudentSource.distance(made.end.get(), source.getState());
             if (!(distance < FLOAT)) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -102,7 +104,7 @@ final class Agreement {
     }
 
     /** @return the known method with these steps */
-    Optional<Match> known() {
+    public Optional<Match> known() {
         return Arrays.stream(Method.values()).flatMap(method -> method.schemes().stream().map(scheme ->
                 new Match(method,
                 scheme.size(), distance(scheme.particles() ? turns : all, h -> scheme)))).filter(match ->
@@ -111,14 +113,14 @@ final class Agreement {
     }
 
     /** @return the distance from a method's step of {@link #H} */
-    double distance(Scheme scheme) {
+    public double distance(Scheme scheme) {
         StudentSource source = turns.get(2).source.get();
         scheme.make(source, H);
-        return turns.get(2).end.map(end -> SolverContract.distance(end, source.getState())).orElse(Double.NaN);
+        return turns.get(2).end.map(end -> StudentSource.distance(end, source.getState())).orElse(Double.NaN);
     }
 
     /** @return the typical mistake, in one of these methods, that makes the solver's steps */
-    Optional<Cause> mistake(Stream<Method> methods) {
+    public Optional<Cause> mistake(Stream<Method> methods) {
         return methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(Mistake.values())
                 .flatMap(mistake -> cause(method, scheme, mistake).stream()))).findFirst();
     }

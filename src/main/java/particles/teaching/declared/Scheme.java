@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.declared;
 
 import deSolvers.DEStateSource;
 import java.util.ArrayList;
@@ -40,7 +40,7 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
      * @param kicks  the kicks, v += a k deltaT, between the drifts
      * @return a method of drifts and kicks in turn
      */
-    static Scheme turns(double[] drifts, double[] kicks) {
+    public static Scheme turns(double[] drifts, double[] kicks) {
         double[] reached = drifts.clone();
         Arrays.parallelPrefix(reached, Double::sum);
         List<double[]> rows = new ArrayList<>();
@@ -61,34 +61,34 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
         return row;
     }
 
-    static double sum(double[] row) {
+    public static double sum(double[] row) {
         return Arrays.stream(row).sum();
     }
 
     /** @return the number of evaluations */
-    int size() {
+    public int size() {
         return times.length;
     }
 
     /** @return the column of the first derivative */
-    int first() {
+    public int first() {
         return particles ? 2 : 1;
     }
 
     /** @return the column of the state that a row moves */
-    int own(int r) {
+    public int own(int r) {
         return r > size() ? 1 : 0;
     }
 
     /** @return the same with another row */
-    Scheme with(int r, double[] row) {
+    public Scheme with(int r, double[] row) {
         List<double[]> changed = new ArrayList<>(rows);
         changed.set(r, row);
         return new Scheme(changed, times, particles);
     }
 
     /** @return the same with other times */
-    Scheme at(double... others) {
+    public Scheme at(double... others) {
         return new Scheme(rows, others, particles);
     }
 
@@ -126,14 +126,14 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
     }
 
     /** @return what a row says, such as {@code k2 = deltaT f is taken at} */
-    String what(int r) {
+    public String what(int r) {
         return r > size() ? "the new velocity is" : r == size() ? particles ? "the new position is"
                 : "the new state, where each k includes deltaT, is" : (particles ? "the acceleration a" + (r + 1)
                 : "k" + (r + 1) + " = deltaT f") + " is taken at";
     }
 
     /** @return a row as a formula, such as {@code s + k1/2} */
-    String formula(int r) {
+    public String formula(int r) {
         boolean velocity = r > size();
         List<String> names = new ArrayList<>(!particles ? List.of("s") : List.of("x", velocity ? "v" : "v deltaT"));
         IntStream.rangeClosed(1, size()).forEach(j -> names.add(!particles ? "k" + j : "a" + j + (velocity ? " deltaT"
@@ -142,13 +142,13 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
     }
 
     /** @return the first row that is another one than in a method of the same kind; -1 if none is */
-    int unlike(Scheme other) {
+    public int unlike(Scheme other) {
         return IntStream.range(0, Math.min(rows.size(), other.rows.size())).filter(r -> !same(rows.get(r),
                 other.rows.get(r))).findFirst().orElse(-1);
     }
 
     /** @return whether two rows are equal up to round-off, where missing numbers are 0 */
-    static boolean same(double[] x, double[] y) {
+    public static boolean same(double[] x, double[] y) {
         return IntStream.range(0, Math.max(x.length, y.length)).allMatch(j -> Formula.same(j < x.length ? x[j] : 0,
                 j < y.length ? y[j] : 0));
     }

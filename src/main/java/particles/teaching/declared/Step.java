@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.declared;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;

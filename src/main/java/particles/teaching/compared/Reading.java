@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.compared;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
@@ -9,13 +9,14 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Formula;
+import particles.teaching.declared.Scheme;
 import particles.teaching.sources.Probe;
 
 /**
  * Reads the weights of a Runge-Kutta step by probes: the step is made with random numbers for the old state and the
  * derivatives, and again with one of them changed; what changes in a state is the weight of that number in it.
  */
-final class Reading {
+public final class Reading {
     /** The largest number of evaluations in a step that is read. */
     static final int MOST = 16;
     private static final double H = 0.2;
@@ -38,7 +39,7 @@ final class Reading {
     }
 
     /** @return the weights and times of a step; empty if it is no sum with the same fixed weights for all entries */
-    static Optional<Scheme> of(Supplier<DESolver> maker) {
+    public static Optional<Scheme> of(Supplier<DESolver> maker) {
         try {
             Optional<Scheme> one = read(maker, H);
             return one.filter(scheme -> read(maker, 2 * H).filter(other -> other.unlike(scheme) < 0).isPresent());
@@ -86,7 +87,7 @@ final class Reading {
     }
 
     /** @return the same without evaluations that enter nothing, such as one that is kept for the next step */
-    static Scheme used(Scheme scheme) {
+    public static Scheme used(Scheme scheme) {
         int n = scheme.size();
         int[] kept = IntStream.range(0, n).filter(j -> IntStream.rangeClosed(j + 1, n).anyMatch(r -> !Formula.same(
                 scheme.rows().get(r)[1 + j], 0))).toArray();

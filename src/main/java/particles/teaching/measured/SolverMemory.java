@@ -1,4 +1,4 @@
-package particles.teaching.contract;
+package particles.teaching.measured;
 
 import deSolvers.DESolver;
 import java.util.Arrays;
@@ -80,7 +80,7 @@ public final class SolverMemory {
         WindyOscillators twin = source.copy();
         twin.step(maker.get(), deltaT);
         source.step(solver, deltaT);
-        return SolverContract.distance(twin.getState(), source.getState()) <= same && twin.getTime()
+        return StudentSource.distance(twin.getState(), source.getState()) <= same && twin.getTime()
                 == source.getTime();
     }
 
@@ -117,6 +117,6 @@ public final class SolverMemory {
             one.step(first, H);
             two.step(second, H);
         }
-        return Phrase.STATIC.when(!(SolverContract.distance(alone.getState(), one.getState()) <= same));
+        return Phrase.STATIC.when(!(StudentSource.distance(alone.getState(), one.getState()) <= same));
     }
 }

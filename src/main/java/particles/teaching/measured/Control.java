@@ -1,18 +1,17 @@
-package particles.teaching.solvers;
+package particles.teaching.measured;
 
 import deSolvers.DESolver;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
-import particles.teaching.contract.Phrase;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** What is measured of step-size control and of stability. */
-record Control(Supplier<DESolver> maker) {
+public record Control(Supplier<DESolver> maker) {
     private static final double START = 0.5;
     private static final double LONG = 4;
     private static final int STEPS = 16;
@@ -37,12 +36,12 @@ record Control(Supplier<DESolver> maker) {
     }
 
     /** @return whether a longer step has many more parts */
-    boolean makesSubSteps() {
+    public boolean makesSubSteps() {
         return after(1, LONG).times() > STEPS / 2 * after(1, LONG / STEPS).times();
     }
 
     /** @return the mistake of sub-steps with which one long step is far less accurate than several short ones */
-    Optional<Finding> uncontrolled() {
+    public Optional<Finding> uncontrolled() {
         double error = after(1, LONG).error();
         double often = after(STEPS, LONG / STEPS).error();
         return Phrase.UNCONTROLLED.when(error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often),
@@ -50,7 +49,7 @@ record Control(Supplier<DESolver> maker) {
     }
 
     /** @return the mistake if steps as long as explicit methods cannot make them grow, unless an iteration diverges */
-    Optional<Finding> unstable() {
+    public Optional<Finding> unstable() {
         return decay(0.5).or(() -> decay(STIFF)).or(() -> {
             Springs springs = new Springs();
             DESolver solver = maker.get();
@@ -70,7 +69,7 @@ record Control(Supplier<DESolver> maker) {
     }
 
     /** @return whether it is stable on the negative real axis as far as so many steps of Euler's method */
-    boolean isStableAs(int evaluations) {
+    public boolean isStableAs(int evaluations) {
         return Stream.iterate(1, z -> z < 16 * evaluations, z -> z + 1).allMatch(z -> StudentSource.after(
                 new StiffDecay(), maker.get(), 1, z / 8.0 / StiffDecay.RATE).size() <= 1 + 1e-9);
     }

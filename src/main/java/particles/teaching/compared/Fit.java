@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.compared;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
@@ -10,7 +10,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
-import particles.teaching.contract.SolverContract;
+import particles.teaching.declared.Equation;
+import particles.teaching.declared.Method;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -22,7 +23,7 @@ import particles.teaching.sources.WindyOscillators;
  * @param earlier whether it uses earlier steps, so that its sixth one is looked at
  * @param made    the states that its steps reached, by length and amplitude
  */
-record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<double[]>> made) {
+public record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<double[]>> made) {
     /** A step this close to an equation, as a part of deltaT, is meant to solve it; an iteration leaves about 1e-10. */
     private static final double FITS = 1e-7;
     /** Newton iterations to 1e-10 leave 5e-14, simple ones to 1e-6 leave 1e-6. */
@@ -35,7 +36,7 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
     private static final double[] LONG = {0.5, 0.25};
     private static final double[] LENGTHS = {1.0 / 8, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 128};
 
-    Fit(Supplier<DESolver> maker, boolean earlier) {
+    public Fit(Supplier<DESolver> maker, boolean earlier) {
         this(maker, earlier, new HashMap<>());
     }
 
@@ -47,7 +48,7 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
      * @param deltaT   the length of the step (s)
      * @param residual the largest difference of its sides
      */
-    record Found(Method method, Equation equation, double deltaT, double residual) {
+    public record Found(Method method, Equation equation, double deltaT, double residual) {
         boolean isRight() {
             return method.equations().contains(equation);
         }
@@ -59,7 +60,7 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
     }
 
     /** @return the method whose equation the steps fulfil, or nearly, as after a loose iteration */
-    Optional<Found> known() {
+    public Optional<Found> known() {
         List<Found> all = methods(Optional.empty()).flatMap(method -> method.equations().stream().map(equation -> best(
                 method, equation))).toList();
         return all.stream().filter(found -> found.residual < FITS * found.deltaT).findFirst().or(() -> all.stream()
@@ -67,13 +68,13 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
     }
 
     /** @return the equation with a typical mistake that they fulfil; the declared method's before others */
-    Optional<Found> mistake(Optional<Method> declared) {
-        return methods(declared).flatMap(method -> method.equations().get(0).changed().map(equation -> best(method,
-                equation))).filter(found -> found.residual < FITS * found.deltaT).findFirst();
+    public Optional<Found> mistake(Optional<Method> declared) {
+        return methods(declared).flatMap(method -> Changes.ofEquation(method.equations().get(0)).map(equation ->
+                best(method, equation))).filter(found -> found.residual < FITS * found.deltaT).findFirst();
     }
 
     /** @return what is left of the equation in the length in which the least is */
-    Found best(Method method, Equation equation) {
+    public Found best(Method method, Equation equation) {
         Found best = new Found(method, equation, LENGTHS[0], Double.POSITIVE_INFINITY);
         for (double h : earlier ? new double[] {LENGTHS[2]} : LENGTHS) {
             double left = residual(equation, h, 1);
@@ -86,7 +87,7 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
      * @param matrix whether it solves with a matrix, which is made for longer steps than other iterations
      * @return the equation where it is not solved; a diverging iteration is not told
      */
-    Optional<Found> loose(Found found, boolean matrix) {
+    public Optional<Found> loose(Found found, boolean matrix) {
         return DoubleStream.of(matrix ? LONG : new double[] {LENGTHS[2]}).mapToObj(h -> new Found(found.method,
                 found.equation, h, residual(found.equation, h, matrix ? 3 : 1))).filter(one -> one.residual > SOLVED
                 && one.residual < 1).findFirst();
@@ -109,7 +110,7 @@ record Fit(Supplier<DESolver> maker, boolean earlier, Map<List<Double>, List<dou
             said = Changes.plus(said, rate(at, START + ((earlier ? STEPS : 1) - 1 + equation.clocks()[j]) * h), h
                     * equation.rates()[j]);
         }
-        return SolverContract.distance(said, states.get(0));
+        return StudentSource.distance(said, states.get(0));
     }
 
     /** The states that steps reach, the newest first; none if it refuses one. */

@@ -1,4 +1,4 @@
-package particles.teaching.contract;
+package particles.teaching.measured;
 
 import deSolvers.DESolver;
 import deSolvers.FixedStepSolver;
@@ -111,8 +111,8 @@ public record SolverContract(Supplier<DESolver> maker) {
     public Optional<Finding> asymmetric() {
         return Stream.of(0, 3).flatMap(kind -> {        // displaced, or in motion: signs of errors are alike in one
             double[] first = swing(0, kind, 1);
-            double other = distance(first, swing(8, kind, 1));
-            double mirrored = distance(first, swing(0, kind, -1));
+            double other = StudentSource.distance(first, swing(8, kind, 1));
+            double mirrored = StudentSource.distance(first, swing(0, kind, -1));
             return Phrase.LARGEST_ERROR.when(other > SAME, LONG, other).or(() -> Phrase.ABSOLUTE_ERROR.when(
                     mirrored > SAME, LONG, mirrored)).stream();
         }).findFirst();
@@ -145,7 +145,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         source.accepts(maker.get(), H);
         List<double[]> at = source.evaluatedAt();
         return evaluations(2, H) >= evaluations(1, H) + FEW && at.stream().anyMatch(one ->
-                at.stream().mapToDouble(other -> distance(one, other)).anyMatch(d -> d > 0
+                at.stream().mapToDouble(other -> StudentSource.distance(one, other)).anyMatch(d -> d > 0
                 && d < DIFFERENCE));
     }
 
@@ -153,7 +153,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     public Optional<Double> thereAndBack(StudentSource source, double deltaT) {
         double[] start = source.getState();
         return source.accepts(maker.get(), deltaT) && source.accepts(maker.get(), -deltaT)
-                ? Optional.of(distance(start, source.getState())) : Optional.empty();
+                ? Optional.of(StudentSource.distance(start, source.getState())) : Optional.empty();
     }
 
     /** @return mistakes and notes on other sources, other lengths of steps, and sources that fail */
@@ -193,7 +193,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         } catch (RuntimeException e) {
             return Optional.of(Phrase.ONLY_PARTICLES.of(StudentFailure.describe(e)));
         }
-        return Phrase.ONLY_PARTICLES.when(!(distance(two, new double[] {space[0], space[3]}) <= SAME),
+        return Phrase.ONLY_PARTICLES.when(!(StudentSource.distance(two, new double[] {space[0], space[3]}) <= SAME),
                 "it leaves " + two[0] + ", " + two[1] + " where a particle in space has " + space[0] + ", " + space[3]);
     }
 
@@ -204,7 +204,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         double error = StudentSource.after(source, maker.get(), 1, SHORT).error();
         return moved(source, -SHORT, Phrase.REFUSES_BACK, moved -> {
             double clock = source.getTime() - START - SHORT;
-            double off = distance(start, source.getState());
+            double off = StudentSource.distance(start, source.getState());
             return Phrase.NOTHING_BACK.when(moved == 0).or(() -> Phrase.CLOCK_BACK.when(Math.abs(clock + SHORT)
                     > ROUNDING, -SHORT, clock)).or(() -> Phrase.BACK.when(!(off <= TOLERATED + ASTRAY * error), SHORT,
                     off, error));
@@ -217,7 +217,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         double[] before = source.getState();
         try {
             source.step(maker.get(), deltaT);
-            return judge.apply(distance(before, source.getState()));
+            return judge.apply(StudentSource.distance(before, source.getState()));
         } catch (EndlessLoop e) {
             return loops("a step of deltaT = " + deltaT + " s", e);
         } catch (RuntimeException e) {
@@ -257,14 +257,5 @@ public record SolverContract(Supplier<DESolver> maker) {
         }
         return Phrase.NAN_HIDDEN.when(Arrays.stream(source.getState()).noneMatch(Double::isNaN)
                 && source.getEvaluations() >= evaluations(1, H));       // an iteration may end early at NaN
-    }
-
-    /** @return the largest difference of two entries; NaN if there is one */
-    public static double distance(double[] x, double[] y) {
-        double distance = 0;
-        for (int k = 0; k < x.length; k++) {
-            distance = Math.max(distance, Math.abs(x[k] - y[k]));
-        }
-        return distance;
     }
 }

@@ -1,15 +1,17 @@
-package particles.teaching.solvers;
+package particles.teaching.compared;
 
-import static particles.teaching.solvers.Changes.each;
-import static particles.teaching.solvers.Changes.eachAndAll;
-import static particles.teaching.solvers.Changes.inTurn;
-import static particles.teaching.solvers.Changes.moved;
-import static particles.teaching.solvers.Changes.scaled;
+import static particles.teaching.compared.Changes.each;
+import static particles.teaching.compared.Changes.eachAndAll;
+import static particles.teaching.compared.Changes.inTurn;
+import static particles.teaching.compared.Changes.moved;
+import static particles.teaching.compared.Changes.scaled;
 
 import java.util.Arrays;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import particles.teaching.declared.Scheme;
+import particles.teaching.declared.Step;
 
 /** The typical mistakes: each makes other steps of a known method's. The check compares a student's step with them. */
 public enum Mistake {
@@ -95,7 +97,7 @@ public enum Mistake {
     }
 
     /** @return whether deltaT stands in its weights */
-    boolean isOfDeltaT() {
+    public boolean isOfDeltaT() {
         return this == BY_DELTA_T || this == TERM_BY_DELTA_T;
     }
 
@@ -103,7 +105,7 @@ public enum Mistake {
      * @return whether parts of the state make their steps while others stand still, at the cost of any
      * order above 1
      */
-    boolean isInTurn() {
+    public boolean isInTurn() {
         return this == ENTRY_BY_ENTRY || this == COORDINATE_BY_COORDINATE || this == BODY_BY_BODY || this == FROZEN;
     }
 
