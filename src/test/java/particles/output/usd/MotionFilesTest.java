@@ -177,7 +177,8 @@ class MotionFilesTest {
             }
         }
         int line = ends.indexOf("\"hook\"") / 2;
-        assertEquals(2.0 / 3, widths.get(2 * line) / widths.get(2 * (1 - line)), 1e-6, "lines are thinner than springs");
+        assertEquals(2.0 / 3, widths.get(2 * line) / widths.get(2 * (1 - line)), 1e-6,
+                "lines are thinner than springs");
     }
 
     /** 2 atan(20.25 / (2 f)) is the angle of 40 degrees, and the aspect of the picture that of the film. */
