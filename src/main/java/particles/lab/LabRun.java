@@ -78,7 +78,7 @@ public final class LabRun {
     public void advance(double time, BooleanSupplier enough) {
         wanted = time;
         boolean stop = false;
-        while (!stop && system.getTime() <= time && !simulation.isOver()) {
+        while (!stop && system.getTime() < time && !simulation.isOver()) {
             simulation.advance();
             stop = enough.getAsBoolean();
         }

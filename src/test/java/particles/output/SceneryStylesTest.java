@@ -64,7 +64,7 @@ class SceneryStylesTest {
         int[] heights = new int[2];
         for (int k = 0; k < 2; k++) {
             int[] rgb = renderer(FRONT, look, Scenery.NONE)
-                    .render(spring(6, k == 0 ? Double.POSITIVE_INFINITY : 0, -3, 0, 0, 3, 0, 0));
+                    .render(spring(6, k == 0 ? Double.POSITIVE_INFINITY : 1, -3, 0, 0, 3, 0, 0));
             for (int y = 0; y < 130; y++) {
                 for (int x = 140; x < 180; x++) {
                     heights[k] += rgb[y * W + x] != empty[y * W + x] ? 1 : 0;

@@ -217,7 +217,8 @@ class CheckSolverCommandTest {
         String screen = here(ExitCode.DONE, Iterates.class.getName(), folder);
         assertStarts(screen, "Iterates: right. This is backward Euler.");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        assertHas(report, "(region.png)", "| refused |");
+        assertHas(report, "(region.png)", "a step of 1 s is refused",
+                "stable: damping to 0.8710, undamped springs to 0.8710");
     }
 
     /** Each has 10,000 steps or more, of 0.6 s or more in all, and an endless loop is told after 0.2 s. */
