@@ -16,6 +16,8 @@ final class ConstraintCorrection {
     private static final double FINE = 1e-15;
     /** Accepted error of nearly singular configurations, where round-off is larger. */
     private static final double ENOUGH = 1e-9;
+    /** Accepted error where nothing moves: friction holds both ends, as the error of the step found them. */
+    private static final double HELD = 1e-6;
     private static final int MOST_ITERATIONS = 30;
 
     private final Blocks blocks;
@@ -50,7 +52,7 @@ final class ConstraintCorrection {
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
             }
-            if (error <= FINE || error <= ENOUGH && error > before / 2) {
+            if (error <= FINE || error <= ENOUGH && error > before / 2 || error <= HELD && error == before) {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS) {
