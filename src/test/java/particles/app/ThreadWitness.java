@@ -1,20 +1,23 @@
 package particles.app;
 
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.PerParticleEffect;
 import particles.spec.Values;
 
 /**
- * A force of 0 that a scene names; it prints one line when a thread other than the caller's evaluates it. Each helper
- * evaluates its own range of the particles, so the line comes at the first step, however busy the machine is.
+ * A force of 0 that a scene names; it prints one line when a thread other than the caller's evaluates it. The caller
+ * waits in later parts of the particles until another thread has come, or two seconds in all: a machine may be busy.
  */
 public final class ThreadWitness implements PerParticleEffect {
     /** The first word of the line. */
     static final String HELPED = "helped";
 
     private final AtomicBoolean said = new AtomicBoolean();
+    private final AtomicInteger sleeps = new AtomicInteger();
 
     @Override
     public String getName() {
@@ -26,6 +29,9 @@ public final class ThreadWitness implements PerParticleEffect {
         String thread = Thread.currentThread().getName();
         if (thread.startsWith("ForkJoinPool") && !said.getAndSet(true)) {
             System.out.println(HELPED + " " + thread);
+        }
+        while (from > 0 && !said.get() && sleeps.getAndIncrement() < 2000) {
+            LockSupport.parkNanos(1_000_000);
         }
     }
 
