@@ -48,10 +48,13 @@ public final class StopRequest implements Observer {
         this.line = line;
     }
 
-    private void stop(PrintWriter err) {
+    /** What happens when the process ends, by a signal or by itself. */
+    void stop(PrintWriter err) {
+        if (ended.getCount() == 0) {        // no signal: the process ends since its command has
+            return;
+        }
         request();
-        awaitEnd();
-        if (ended.getCount() > 0) {
+        if (!awaitEnd()) {                  // not asked again: what falls apart may come to its end just now
             err.println(line.get());
             List<ProcessHandle> children = ProcessHandle.current().descendants().toList();
             children.forEach(ProcessHandle::destroy);
@@ -89,8 +92,8 @@ public final class StopRequest implements Observer {
         folder.setWhenStopped(this::awaitEnd);
     }
 
-    /** Waits for the end of a command that ends by itself. */
-    private void awaitEnd() {
+    /** Waits for a command that ends by itself, and tells whether it is one and came to its end. */
+    private boolean awaitEnd() {
         try {
             if (endsByItself && !ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
                 endsByItself = false;
@@ -98,6 +101,7 @@ public final class StopRequest implements Observer {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        return endsByItself;
     }
 
     /**

@@ -2,6 +2,8 @@ package particles.app.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -23,5 +25,32 @@ class StopRequestTest {
         stop.request();
         stop.end(ExitCode.STOPPED, exits::add);
         assertEquals(List.of(), exits);
+    }
+
+    /** Without this, some stops of a command that ends when its files are taken from it said nothing. */
+    @Test
+    void aCommandThatFallsApartAtOnceIsToldAsStopped() throws InterruptedException {
+        for (int i = 0; i < 2000; i++) {
+            StopRequest stop = new StopRequest();
+            Thread command = new Thread(() -> {
+                while (!stop.isWanted()) {
+                    Thread.onSpinWait();
+                }
+                stop.end(ExitCode.STOPPED, exits::add);
+            });
+            command.start();
+            StringWriter lines = new StringWriter();
+            stop.stop(new PrintWriter(lines));
+            command.join();
+            assertEquals("stopped", lines.toString().strip());
+        }
+    }
+
+    @Test
+    void aCommandThatCameToItsEndIsNotToldAsStopped() {
+        StringWriter lines = new StringWriter();
+        stop.end(ExitCode.DONE, exits::add);
+        stop.stop(new PrintWriter(lines));
+        assertEquals("", lines.toString());
     }
 }
