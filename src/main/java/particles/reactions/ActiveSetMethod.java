@@ -20,9 +20,13 @@ final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
     /**
      * Pivots below this fraction of a diagonal entry (by QR, of the largest entry of R) are round-off: rows within an
-     * angle of 3e-6 of being dependent.
+     * angle of 3e-6 of being dependent. Where masses differ, so do the angles of rows that are not.
      */
-    static final double SINGULAR = 1e-11;
+    private static final double SINGULAR = 1e-11;
+    /** The smallest such fraction, however much masses differ. */
+    private static final double LOST = 1e-14;
+    /** Round-off of accelerations, relative to the largest entry of b, where all masses are equal. */
+    private static final double NOISE = 0x1p-49;
     /** The residual of good factors, relative to the largest entry of b. */
     private static final double ACCURATE = 1e-12;
 
@@ -45,6 +49,20 @@ final class ActiveSetMethod {
     private double largest;                             // entry of b
     private double left;
     private boolean regular;
+    private boolean dependent;
+    private double singular = SINGULAR;
+    private double noise = NOISE;
+
+    /** Sets the largest of the masses by the smallest: forces that light particles pass on have so much more noise. */
+    void setMassRatio(double ratio) {
+        singular = Math.max(SINGULAR / ratio, LOST);
+        noise = NOISE * ratio;
+    }
+
+    /** Whether active rows were linearly dependent at any point of the last search. */
+    boolean metDependentRows() {
+        return dependent;
+    }
 
     /** The largest residual entry of active rows, which is large if they contradict each other; 0 for round-off. */
     double getLeft() {
@@ -71,6 +89,7 @@ final class ActiveSetMethod {
         this.lambda = lambda;
         this.w = w;
         n = a.size();
+        dependent = false;
         if (n == 1 && contact[0] && a.get(0, 0) != 0) { // a single row needs no search
             double force = b[0] / a.get(0, 0);
             lambda[0] = signed ? Math.max(0, force) : force;
@@ -117,7 +136,7 @@ final class ActiveSetMethod {
         boolean contactsAgree = true;
         boolean rodsAgree = true;
         for (int r = 0; r < n; r++) {
-            boolean agrees = !active[r] || Math.abs(w[r]) <= CONTRADICTION * largest;
+            boolean agrees = !active[r] || Math.abs(w[r]) <= Math.max(CONTRADICTION, noise) * largest;
             contactsAgree &= agrees || !contact[r];
             rodsAgree &= agrees || contact[r];
         }
@@ -208,7 +227,7 @@ final class ActiveSetMethod {
         int count = 0;
         for (int r = 0; r < n; r++) {
             wrong[r] = contact[r] && (active[r] ? lambda[r] < -ROUNDING * force
-                    : w[r] < -ROUNDING * largest - left);
+                    : w[r] < -Math.max(ROUNDING, noise) * largest - left);
             count += wrong[r] ? 1 : 0;
         }
         return count;
@@ -218,15 +237,16 @@ final class ActiveSetMethod {
         for (int r = 0; r < n; r++) {
             lambda[r] = active[r] ? b[r] : 0;
         }
-        regular = a.factorise(active, SINGULAR);
+        regular = a.factorise(active, singular);
+        dependent |= !regular;
         if (regular) {
             a.solve(lambda);
             findResidual();
         }
-        if (regular && left <= ACCURATE * largest) {
+        if (regular && left <= Math.max(ACCURATE, noise) * largest) {
             left = 0;
         } else {
-            dense.solve(a, active, b, lambda);
+            dense.solve(a, active, b, lambda, singular);
             findResidual();
         }
     }

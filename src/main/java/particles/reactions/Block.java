@@ -42,6 +42,7 @@ final class Block {
     private final ActiveSetMethod activeSet;
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
     private final boolean hasPairs;
+    final double massRatio;                             // the largest by the smallest
     private final BitSet placed = new BitSet();         // particles whose contacts have rows
     private List<Meeting> meetings = List.of();         // have rows, although they do not touch yet
     private double[] right = {};
@@ -68,6 +69,8 @@ final class Block {
         this.contacts = contacts;
         this.usuallyHeld = usuallyHeld;
         this.activeSet = activeSet;
+        double[] weights = Arrays.stream(particles).mapToDouble(this::weight).sorted().toArray();
+        massRatio = weights.length == 0 ? 1 : weights[weights.length - 1] / weights[0];
         hasPairs = Arrays.stream(members).anyMatch(r -> all.get(r).kind == Kind.BALLS);
     }
 
@@ -260,6 +263,7 @@ final class Block {
             right[r] = rows[r].right;
             mayOpen[r] = rows[r].isContact() && separates.test(rows[r]);
         }
+        activeSet.setMassRatio(massRatio);
         boolean solved = activeSet.solve(matrix, right, mayOpen, signed, active, solution, separation);
         for (int r = 0; r < rows.length; r++) {
             rows[r].force = solution[r];

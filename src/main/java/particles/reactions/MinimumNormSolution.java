@@ -16,16 +16,17 @@ public final class MinimumNormSolution {
     private final DMatrixRMaj result = new DMatrixRMaj(0, 1);
 
     private void renew() {
-        decomposition = new QRColPivDecompositionHouseholderColumn_DDRM(ActiveSetMethod.SINGULAR);
+        decomposition = new QRColPivDecompositionHouseholderColumn_DDRM();
         solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
     }
 
     /**
      * Solves A x = b in the active rows and columns.
      *
-     * @param x receives the solution, 0 where a row is not active
+     * @param x        receives the solution, 0 where a row is not active
+     * @param singular entries of R below this fraction of the largest are round-off
      */
-    void solve(EnvelopeMatrix a, boolean[] active, double[] b, double[] x) {
+    void solve(EnvelopeMatrix a, boolean[] active, double[] b, double[] x, double singular) {
         int[] rows = IntStream.range(0, a.size()).filter(r -> active[r]).toArray();
         int n = rows.length;
         boolean resized = n != matrix.numRows;      // the library's decomposition does not shrink with its matrix
@@ -41,6 +42,7 @@ public final class MinimumNormSolution {
         if (resized || MatrixFeatures_DDRM.isZeros(matrix, 0)) {    // and it keeps the rank of the matrix before
             renew();
         }
+        decomposition.setSingularThreshold(singular);
         solver.setA(matrix);
         solver.solve(right, result);
         Arrays.fill(x, 0, a.size(), 0.0);

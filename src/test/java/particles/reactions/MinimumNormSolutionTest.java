@@ -26,7 +26,7 @@ class MinimumNormSolutionTest {
             }
         }
         double[] x = new double[N];
-        system.solve(matrix, new boolean[] {true, true, true}, b, x);
+        system.solve(matrix, new boolean[] {true, true, true}, b, x, 1e-11);
         double[] residual = new double[N];
         matrix.residual(x, b, residual);
         assertArrayEquals(new double[N], residual, 1e-13, "measured: 1.1e-14");
