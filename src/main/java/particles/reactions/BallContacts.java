@@ -50,6 +50,11 @@ public final class BallContacts {
         rows.list.forEach(row -> row.latched = false);
     }
 
+    /** Forgets which contacts had a bounce. */
+    public void forgetBounces() {
+        rows.list.forEach(row -> row.bounced = false);
+    }
+
     /** @return whether a contact had a bounce in the last impact */
     public boolean hasBounced(int contact) {
         return rows.get(contact).bounced;

@@ -2,9 +2,12 @@ package particles.reactions;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
@@ -82,7 +85,6 @@ public final class BlockImpacts {
      * @param state    the state, in which velocities are changed
      */
     public void answer(List<Meeting> meetings, double[] state) {
-        blocks.getRows().list.forEach(row -> row.bounced = false);
         Map<Block, List<Meeting>> concerned = new LinkedHashMap<>();
         blocks.joined().stream().filter(Block::hasPairs).forEach(block -> concerned.put(block, new ArrayList<>()));
         meetings.forEach(meeting -> concerned.computeIfAbsent(blocks.of(meeting.particle), block -> new ArrayList<>())
@@ -103,6 +105,8 @@ public final class BlockImpacts {
         int most = MOST_ROUNDS + 2 * all.length;
         for (int round = 0; meets(all, fast) && round <= most; round++) {
             for (Row row : all) {
+                row.hasMet |= row.meets;
+                row.meets |= round == most && row.hasMet;
                 double leaving = !row.meets || round == most ? 0
                         : round > 0 ? row.bounce.leaving(-row.rate) : leaving(row, meetings);
                 row.right = row.isIdle() ? 0 : leaving - row.rate;
@@ -206,7 +210,7 @@ public final class BlockImpacts {
         double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
                 .orElse(0);
         if (!solved && approach > CONTRADICTION * fast) {
-            throw block.failure(contacts.getSystem().getTime(), "let no impulses keep all particles out");
+            throw noRoom(block);
         }
         block.move(state, 3);
         for (Row row : block.rows) {
@@ -215,6 +219,25 @@ public final class BlockImpacts {
                 modes.setWhereTouching(Math.max(row.first, row.second), Mode.SLIDING);
             }
         }
+    }
+
+    /** The error that ends a run where what a particle touches leaves it no way to go. */
+    private SimulationException noRoom(Block block) {
+        Row worst = Arrays.stream(block.rows).filter(Row::isContact)
+                .min(Comparator.comparingDouble(row -> row.separation)).orElseThrow();
+        int i = worst.movable[0] < 0 ? worst.second : worst.first;
+        String by = Arrays.stream(block.rows).filter(row -> row.moves(i)).map(row -> nameBeside(row, i)).distinct()
+                .collect(Collectors.joining(" and "));
+        return new SimulationException(contacts.getSystem().getTime(), i, "there is no room left between " + by, null);
+    }
+
+    /** What acts on a particle through a row. */
+    private String nameBeside(Row row, int i) {
+        if (row.kind == Kind.SURFACE) {
+            return "'" + row.surface.name() + "'";
+        }
+        String other = row.kind == Kind.WIRE ? "" : "'" + contacts.getSystem().getParticles().id(row.first + row.second - i) + "'";
+        return row.kind == Kind.BALLS ? other : row.kind == Kind.ROD ? "its rod to " + other : "its wire";
     }
 
     /**

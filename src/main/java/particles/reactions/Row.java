@@ -28,6 +28,7 @@ final class Row {
     ContactSurface surface;
     Bounce bounce;                                      // of a contact
     boolean meets;                                      // whether a contact's particles approach each other
+    boolean hasMet;                                     // whether they have at this moment, however they move now
     boolean latched;                                    // whether no rule ends it in this step; of balls
     boolean stops;                                      // whether they do not separate from it; of a contact
     boolean bounced;                                    // whether it did so in the last impact; of balls

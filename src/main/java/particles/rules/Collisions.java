@@ -184,13 +184,17 @@ public final class Collisions implements EventRule {
         }
     }
 
-    /** Notes the balls that touch at this moment: those that approach, and those as slow as at rest. */
-    void findTouching() {
-        findTouching(0);
+    /**
+     * Notes the balls that touch at this moment: those that approach, and those as slow as at rest. Returns whether
+     * there are any that had not been noted.
+     */
+    boolean findTouching() {
+        return findTouching(0);
     }
 
-    private void findTouching(double near) {
+    private boolean findTouching(double near) {
         double[] state = system.getOwnState();
+        int before = touching.end();
         fast = 0;
         for (int i = 0; i < particles.count(); i++) {
             fast = Math.max(fast, Impacts.velocity(state, i).norm1());
@@ -201,6 +205,7 @@ public final class Collisions implements EventRule {
                 touch(i, j);
             }
         });
+        return touching.end() > before;
     }
 
     /** Ends the contacts of balls that separate; those that do not, and do not push, end too. */
@@ -215,6 +220,7 @@ public final class Collisions implements EventRule {
                 touching.part(r);
             }
         }
+        touching.forgetBounces();
         apart.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
         apart.stream().filter(i -> impacts.contacts.isSlow(i, state)).forEach(i -> impacts.stickIfSlow(i, fast));
         touching.stop(state, false);

@@ -1,8 +1,11 @@
 package particles.rules;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.DoubleSupplier;
 import particles.EventRule;
 import particles.Motion;
@@ -193,51 +196,75 @@ public final class ExactImpacts extends Impacts implements EventRule {
         contacts.beginStep();
     }
 
-    /** Answers all impacts of this moment, besides those that are known. */
+    /**
+     * Answers all impacts of this moment, besides one that is known. Those to which they lead without a way between
+     * are answered with them, as where a ball goes to and fro in a gap that closes.
+     */
     final void answer(int p, int i) {
         double[] state = system.getOwnState();
         double[] before = state.clone();
-        List<Meeting> meetings = findMeetings(p, i);
-        balls.ifPresent(Collisions::findTouching);
-        contacts.getImpacts().answer(meetings, state);
-        for (Meeting meeting : meetings) {
-            int j = meeting.particle();
-            ContactSurface surface = surfaces.get(meeting.surface());
-            boolean rests = surface.normalSpeed(state, j) <= restSpeed(surface, j);
-            boolean isAlone = !contacts.isCoupled(j);
-            if (rests) {
-                rest(meeting.surface(), j);
-            }
-            contacts.putOnSurfaces(j, state);
-            if (rests || isAlone) {
-                stickIfSlow(j, velocity(before, j).length());
-            }
-            contacts.settle(j, false, state);
+        Map<Integer, BitSet> met = new TreeMap<>();     // surfaces, by particle
+        if (p >= 0) {
+            noteMeeting(p, i, met);
         }
+        findMeetings(met);
+        balls.ifPresent(Collisions::findTouching);
+        do {
+            contacts.getImpacts().answer(meetings(met), state);
+        } while (findMeetings(met) | balls.isPresent() && balls.get().findTouching());
+        met.forEach((j, some) -> some.stream().forEach(q -> settle(q, j, velocity(before, j).length())));
         balls.ifPresent(Collisions::settle);
     }
 
-    /** The free particles that meet a surface now, with the given one if there is any. */
-    private List<Meeting> findMeetings(int known, int particle) {
+    /** Lets a particle rest on a surface that it has struck, or leave it. */
+    private void settle(int p, int i, double speedBefore) {
         double[] state = system.getOwnState();
-        List<Meeting> found = new ArrayList<>();
+        boolean rests = surfaces.get(p).normalSpeed(state, i) <= restSpeed(surfaces.get(p), i);
+        boolean isAlone = !contacts.isCoupled(i);
+        if (rests) {
+            rest(p, i);
+        }
+        contacts.putOnSurfaces(i, state);
+        if (rests || isAlone) {
+            stickIfSlow(i, speedBefore);
+        }
+        contacts.settle(i, false, state);
+    }
+
+    private static boolean noteMeeting(int p, int i, Map<Integer, BitSet> met) {
+        BitSet some = met.computeIfAbsent(i, particle -> new BitSet());
+        boolean isNew = !some.get(p);
+        some.set(p);
+        return isNew;
+    }
+
+    /** Finds the free particles that meet a surface now; returns whether there are any that had not met it. */
+    private boolean findMeetings(Map<Integer, BitSet> met) {
+        double[] state = system.getOwnState();
+        boolean any = false;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 ContactSurface surface = surfaces.get(p);
-                boolean given = p == known && i == particle;
-                if (given || modes.get(p, i) == Mode.FREE && Math.abs(surface.distance(state, i)) <= moment(state, i)
-                        && surface.normalSpeed(state, i) < 0) {
-                    if (!given) {
-                        lift(surface, state, i);
-                    }
-                    double speed = surface.normalSpeed(state, i);
-                    double leaving = -surface.bounce().restitution() * speed;
-                    found.add(new Meeting(p, i, speed >= 0 ? speed : leaving > restSpeed(surface, i) ? leaving : 0,
-                            Vector3.ZERO));
+                if (modes.get(p, i) == Mode.FREE && Math.abs(surface.distance(state, i)) <= moment(state, i)
+                        && surface.normalSpeed(state, i) < 0 && noteMeeting(p, i, met)) {
+                    lift(surface, state, i);
+                    any = true;
                 }
             }
         }
-        return found;
+        return any;
+    }
+
+    /** The meetings at the present speeds. */
+    private List<Meeting> meetings(Map<Integer, BitSet> met) {
+        List<Meeting> meetings = new ArrayList<>();
+        met.forEach((i, some) -> some.stream().forEach(p -> {
+            double speed = surfaces.get(p).normalSpeed(system.getOwnState(), i);
+            double leaving = -surfaces.get(p).bounce().restitution() * speed;
+            meetings.add(new Meeting(p, i, speed >= 0 ? speed : leaving > restSpeed(surfaces.get(p), i) ? leaving : 0,
+                    Vector3.ZERO));
+        }));
+        return meetings;
     }
 
     /** How far apart two may be that meet at this moment: round-off of a place, and of the clock (m). */
