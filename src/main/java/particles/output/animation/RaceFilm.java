@@ -152,7 +152,7 @@ public final class RaceFilm implements AutoCloseable {
         PanelFilm ghost = films.get(0);
         int last = ghost.packed.size() - 1;
         List<BufferedImage> panels = panels(last, ghost.renderer.renderBackdrop());
-        return new ChartPage(RacePage.WIDTH, RacePage.HEIGHT, true, g ->
+        return new ChartPage(RacePage.WIDTH, RacePage.HEIGHT, g ->
                 page.draw(g, head, last / rate, panels, new StripChart(strip)));
     }
 

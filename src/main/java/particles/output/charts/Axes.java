@@ -1,8 +1,10 @@
 package particles.output.charts;
 
+import deSolvers.text.Digits;
 import java.awt.Font;
 import java.awt.font.FontRenderContext;
-import java.text.NumberFormat;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
 import org.jfree.chart.axis.AxisSpace;
@@ -17,8 +19,7 @@ import particles.view.Axis;
 
 /** Makes axes whose ticks, and so the room that they need, are known before they are drawn. */
 final class Axes {
-    static final NumberFormat NUMBERS = new NumberText();
-    private static final NumberTickUnitSource UNITS = new NumberTickUnitSource(false, NUMBERS);
+    private static final NumberTickUnitSource UNITS = new NumberTickUnitSource();
     private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
     /** Values that differ by less than this part of their size differ by round-off, which needs no axis of its own. */
     private static final double ROUNDING = 1e-13;
@@ -33,6 +34,10 @@ final class Axes {
     /** Of labels wider than this, only few have room. */
     private static final double WIDE = 36;
     private static final int FEW = 5;
+    /** From this power of ten on, zeros would have to be counted. */
+    private static final int LARGE = 5;
+    /** Removes the round-off of a tick's value. */
+    private static final MathContext DIGITS = new MathContext(6);
 
     private Axes() {
     }
@@ -52,7 +57,7 @@ final class Axes {
             linear.setRange(values == null ? new Range(0, 1) : numbers(values, margin));
             setTicks(linear, linear.getRange().getLength() / most);
             double unit = linear.getTickUnit().getSize();
-            String last = NUMBERS.format(unit * Math.floor(linear.getUpperBound() / unit));
+            String last = text(unit * Math.floor(linear.getUpperBound() / unit));
             if (width(ChartStyle.TICKS, last) > WIDE) {
                 setTicks(linear, linear.getRange().getLength() / FEW);
             }
@@ -63,7 +68,27 @@ final class Axes {
     }
 
     static void setTicks(NumberAxis axis, double least) {
-        axis.setTickUnit((NumberTickUnit) UNITS.getCeilingTickUnit(least));
+        axis.setTickUnit(new NumberTickUnit(unit(least)) {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public String valueToString(double value) {
+                return text(value);
+            }
+        });
+    }
+
+    /** @return the smallest distance of ticks that is round and at least as long */
+    static double unit(double least) {
+        return UNITS.getCeilingTickUnit(least).getSize();
+    }
+
+    /** @return a number on an axis: 100, 0.25, 1e6, 2e-14 */
+    static String text(double value) {
+        BigDecimal number = BigDecimal.valueOf(value).round(DIGITS);
+        int exponent = number.precision() - number.scale() - 1;
+        return exponent < LARGE ? Digits.exact(number) : Digits.exact(number.scaleByPowerOfTen(-exponent)) + "e"
+                + exponent;
     }
 
     private static Range decades(Range values, double margin) {

@@ -1,5 +1,7 @@
 package particles.output.charts;
 
+import java.awt.Color;
+
 /**
  * The format in which charts are drawn.
  *
@@ -12,7 +14,6 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
     /** Pictures for page and screen, as PNG alone. */
     public static final ChartFormat PAGE = new ChartFormat(false, false, false);
 
-    private static final int LIGHTEST = 0xff;
     /** The weighted mean of red, green and blue with which all lines have a contrast of 3 to 1 on black. */
     private static final double BRIGHT = 105;
     /** The type keeps its size in the layout: a smaller page with more device pixels has larger type. */
@@ -32,20 +33,23 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
     }
 
     /**
-     * @param rgb a colour on white, 0xRRGGBB
-     * @return a colour of the same hue that is as light as this one is dark; grey lines of the grid stay faint, but a
-     *         colour that would be too dim to be seen is lightened
+     * @param onWhite the colour of something on white
+     * @return the colour that it has in this format: on black one of the same hue that is as light as this one is dark;
+     *         grey lines of the grid stay faint, but a colour that would be too dim to be seen is lightened
      */
-    static int onBlack(int rgb) {
-        int red = rgb >> 16 & LIGHTEST;
-        int green = rgb >> 8 & LIGHTEST;
-        int blue = rgb & LIGHTEST;
+    Color on(Color onWhite) {
+        if (!dark) {
+            return onWhite;
+        }
+        int red = onWhite.getRed();
+        int green = onWhite.getGreen();
+        int blue = onWhite.getBlue();
         int most = Math.max(red, Math.max(green, blue));
         int least = Math.min(red, Math.min(green, blue));
-        int lighter = LIGHTEST - most - least;
+        int lighter = 255 - most - least;
         double dim = BRIGHT - (0.299 * red + 0.587 * green + 0.114 * blue + lighter);      // weights of ITU-R BT.601
         lighter += (int) Math.max(0, Math.min(Math.min(most - least, least), dim));
-        return rgb + lighter * 0x010101;
+        return new Color(red + lighter, green + lighter, blue + lighter, onWhite.getAlpha());
     }
 
     /** @return the width of the layout of a page that is this wide without a format */

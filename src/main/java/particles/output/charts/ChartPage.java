@@ -1,7 +1,6 @@
 package particles.output.charts;
 
 import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
 import java.util.function.Consumer;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.title.LegendTitle;
@@ -11,12 +10,11 @@ import particles.view.Panel;
 /**
  * A page to be drawn.
  *
- * @param width      the width, in pixels of the layout
- * @param height     the height
- * @param showsScene whether it has pictures of a scene, which are never drawn on black
- * @param drawing    draws the page
+ * @param width   the width, in pixels of the layout
+ * @param height  the height
+ * @param drawing draws the page
  */
-public record ChartPage(int width, int height, boolean showsScene, Consumer<Graphics2D> drawing) {
+public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
@@ -29,19 +27,14 @@ public record ChartPage(int width, int height, boolean showsScene, Consumer<Grap
      * @return a page with one chart, or charts above each other
      */
     public static ChartPage of(Panel panel, ChartFormat format) {
-        JFreeChart chart = Charts.of(panel, ChartStyle.TITLE, false);
+        JFreeChart chart = Charts.of(panel, false, format);
         boolean round = Charts.plots(chart).stream().allMatch(ChartPlot::isRound);
-        LegendTitle legend = Charts.legend(Charts.plots(chart));
-        if (!Charts.isEmpty(legend)) {
-            chart.addLegend(legend);                    // below a round chart on a wide page it would make that small
-            legend.setPosition(round && format.slide() ? RectangleEdge.RIGHT : RectangleEdge.BOTTOM);
-        }
-        int rows = panel.charts().stream().mapToInt(data -> data.rows().size()).max().orElse(0);
+        LegendTitle legend = Charts.legend(Charts.plots(chart), format);
+        // below a round chart on a wide page it would make that small
+        legend.setPosition(round && format.slide() ? RectangleEdge.RIGHT : RectangleEdge.BOTTOM);
+        int rows = panel.charts().stream().mapToInt(Charts::heightOfRows).max().orElse(0);
         long ofQuantities = panel.charts().stream().filter(data -> data.rows().isEmpty()).count();
-        int width = format.width(round ? SQUARE_WIDTH : WIDTH);
-        int height = format.height(round ? SQUARE_HEIGHT
-                : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
-        return new ChartPage(width, height, false,
-                g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
+        return Charts.page(chart, legend, format.width(round ? SQUARE_WIDTH : WIDTH),
+                format.height(round ? SQUARE_HEIGHT : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + rows));
     }
 }

@@ -32,10 +32,11 @@ final class ChartPlot extends XYPlot {
     private boolean round;
 
     /**
-     * @param ticks the largest number of ticks along x
-     * @param high  the largest number of ticks along y
+     * @param ticks  the largest number of ticks along x
+     * @param high   the largest number of ticks along y
+     * @param format the format of the picture
      */
-    ChartPlot(Chart chart, Panel.Kind kind, int ticks, int high) {
+    ChartPlot(Chart chart, Panel.Kind kind, int ticks, int high, ChartFormat format) {
         this.kind = kind;
         List<Series> layers = chart.series().stream().sorted(Comparator.comparing(ChartPlot::layer)).toList();
         ChartDataset dataset = new ChartDataset(chart, layers);
@@ -43,13 +44,13 @@ final class ChartPlot extends XYPlot {
         setDomainAxis(Axes.of(chart.x(), shown(chart, true), kind == Panel.Kind.MAP || onlyLines(chart), ticks));
         setRangeAxis(chart.rows().isEmpty() ? Axes.of(chart.y(), shown(chart, false), kind == Panel.Kind.MAP, high)
                 : Axes.rows(chart.y().label(), chart.rows()));
-        setRenderer(SeriesRenderer.of(layers, kind == Panel.Kind.PHASE));
+        setRenderer(SeriesRenderer.of(layers, kind == Panel.Kind.PHASE, format));
         setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         setDomainGridlineStroke(new BasicStroke(0.7f));
         setRangeGridlineStroke(new BasicStroke(0.7f));
         setInsets(RectangleInsets.ZERO_INSETS);
         setFixedDomainAxisSpace(Axes.below());
-        ends = new EndLabels(this, kind == Panel.Kind.CHART);
+        ends = new EndLabels(this, kind == Panel.Kind.CHART, format);
         setRoom(Axes.left(getRangeAxis()), ends.width());
         setRanges();
     }

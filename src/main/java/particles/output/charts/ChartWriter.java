@@ -5,7 +5,6 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import particles.output.files.FontCheck;
 import particles.output.files.OutputException;
@@ -43,7 +42,6 @@ public final class ChartWriter implements AutoCloseable {
         if (!FontCheck.isAvailable()) {
             throw new OutputException(folder.getPath().resolve(name), "draw", FontCheck.NO_FONT, null);
         }
-        boolean dark = format.dark() && !page.showsScene();
         int scale = format.scale();
         BufferedImage image = new BufferedImage(scale * page.width(), scale * page.height(),
                 BufferedImage.TYPE_INT_RGB);
@@ -54,12 +52,9 @@ public final class ChartWriter implements AutoCloseable {
         page.drawing().accept(g);
         g.dispose();
         int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        if (dark) {
-            Arrays.setAll(pixels, k -> ChartFormat.onBlack(pixels[k]));
-        }
         folder.write(name, PngEncoder.file(image.getWidth(), image.getHeight(), pixels));
         if (format.svg()) {
-            SvgDrawing.write(folder, name.replace(PNG, SVG), page, dark);
+            SvgDrawing.write(folder, name.replace(PNG, SVG), page);
         }
         if (format.slide()) {
             slides.add(page);
@@ -70,7 +65,7 @@ public final class ChartWriter implements AutoCloseable {
     @Override
     public void close() {
         if (!slides.isEmpty()) {
-            folder.write(PDF, SlidesPdf.of(slides, format.dark()));
+            folder.write(PDF, SlidesPdf.of(slides));
         }
     }
 }

@@ -1,7 +1,7 @@
 package particles.output.charts;
 
 import java.awt.Color;
-import java.awt.Font;
+import java.awt.geom.Rectangle2D;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -9,6 +9,7 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.StandardChartTheme;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.Plot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.TextTitle;
@@ -23,8 +24,8 @@ import particles.view.Series.Mark;
 /** Makes JFreeChart charts of panels, in the common style. */
 final class Charts {
     /** The height of a row, in pixels as the other charts' heights, roughly. */
-    static final int ROW = 17;
-    static final int GAP = 14;
+    private static final int ROW = 17;
+    private static final int GAP = 14;
     /** The height of a chart above rows, in the same pixels. */
     private static final int MAIN = 400;
     private static final int CELL = 345;
@@ -36,42 +37,52 @@ final class Charts {
 
     /**
      * @param panel  one chart, or charts above each other
-     * @param title  the font of its title
-     * @param narrow whether it is a cell of a grid, with room for few ticks
+     * @param narrow whether it is a cell of a grid, with small type and room for few ticks
+     * @param format the format of the picture
      */
-    static JFreeChart of(Panel panel, Font title, boolean narrow) {
-        XYPlot plot = panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel)
-                : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 6 : 10, 8)
-                : stacked(panel, narrow);
-        JFreeChart chart = new JFreeChart(panel.title(), null, plot, false);
+    static JFreeChart of(Panel panel, boolean narrow, ChartFormat format) {
+        XYPlot plot = panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel, format)
+                : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 6 : 10, 8,
+                format) : stacked(panel, narrow, format);
+        return titled(panel.title(), panel.answer(), plot, narrow, format);
+    }
+
+    static JFreeChart titled(String title, String answer, Plot plot, boolean narrow, ChartFormat format) {
+        JFreeChart chart = new JFreeChart(title, null, plot, false);
         chart.getTitle().setMargin(2, 0, 2, 0);
-        TextTitle answer = new TextTitle(panel.answer());
-        answer.setMargin(0, 0, 6, 0);
-        chart.addSubtitle(answer);
+        TextTitle below = new TextTitle(answer);
+        below.setMargin(0, 0, 6, 0);
+        chart.addSubtitle(below);
         chart.setPadding(new RectangleInsets(6, 6, 4, 12));
-        theme(title).apply(chart);
+        StandardChartTheme theme = new StandardChartTheme("DESolver");
+        theme.setExtraLargeFont(narrow ? ChartStyle.PANEL : ChartStyle.TITLE);
+        theme.setLargeFont(ChartStyle.LABEL);
+        theme.setRegularFont(ChartStyle.TICKS);
+        Color text = format.on(ChartStyle.TEXT);
+        theme.setTitlePaint(text);
+        theme.setSubtitlePaint(text);
+        theme.setAxisLabelPaint(text);
+        theme.setTickLabelPaint(text);
+        theme.setChartBackgroundPaint(format.on(Color.WHITE));
+        theme.setPlotBackgroundPaint(format.on(Color.WHITE));
+        theme.setPlotOutlinePaint(format.on(ChartStyle.AXIS));
+        theme.setDomainGridlinePaint(format.on(ChartStyle.GRID));
+        theme.setRangeGridlinePaint(format.on(ChartStyle.GRID));
+        theme.setAxisOffset(RectangleInsets.ZERO_INSETS);
+        theme.apply(chart);
         return chart;
     }
 
-    private static StandardChartTheme theme(Font title) {
-        StandardChartTheme theme = new StandardChartTheme("DESolver");
-        theme.setExtraLargeFont(title);
-        theme.setLargeFont(ChartStyle.LABEL);
-        theme.setRegularFont(ChartStyle.TICKS);
-        theme.setTitlePaint(ChartStyle.TEXT);
-        theme.setSubtitlePaint(ChartStyle.TEXT);
-        theme.setAxisLabelPaint(ChartStyle.TEXT);
-        theme.setTickLabelPaint(ChartStyle.TEXT);
-        theme.setPlotBackgroundPaint(Color.WHITE);
-        theme.setPlotOutlinePaint(ChartStyle.AXIS);
-        theme.setDomainGridlinePaint(ChartStyle.GRID);
-        theme.setRangeGridlinePaint(ChartStyle.GRID);
-        theme.setAxisOffset(RectangleInsets.ZERO_INSETS);
-        return theme;
+    /** @return a page with a chart, and its legend if that has entries */
+    static ChartPage page(JFreeChart chart, LegendTitle legend, int width, int height) {
+        if (!isEmpty(legend)) {
+            chart.addLegend(legend);
+        }
+        return new ChartPage(width, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
     }
 
     /** Charts over the x axis of the first. The uppermost one has more room; rows have a fixed height. */
-    private static XYPlot stacked(Panel panel, boolean narrow) {
+    private static XYPlot stacked(Panel panel, boolean narrow, ChartFormat format) {
         int ticks = narrow ? 6 : 10;
         Chart first = panel.charts().get(0);
         Range x = panel.charts().stream().map(chart -> ChartPlot.shown(chart, true)).reduce(null, Range::combine);
@@ -81,13 +92,17 @@ final class Charts {
         all.setInsets(RectangleInsets.ZERO_INSETS);
         boolean several = panel.charts().stream().filter(chart -> chart.rows().isEmpty()).count() > 1;
         for (Chart chart : panel.charts()) {
-            int rows = chart.rows().size();
-            ChartPlot plot = new ChartPlot(chart, panel.kind(), ticks, chart == first ? 8 : 6);
+            ChartPlot plot = new ChartPlot(chart, panel.kind(), ticks, chart == first ? 8 : 6, format);
             plot.setFixedDomainAxisSpace(null);
-            all.add(plot, rows > 0 ? ROW * (rows + 1) : chart != first ? LOWER : several ? UPPERMOST
-                    : narrow ? CELL : MAIN);
+            all.add(plot, !chart.rows().isEmpty() ? heightOfRows(chart) - GAP : chart != first ? LOWER
+                    : several ? UPPERMOST : narrow ? CELL : MAIN);
         }
         return all;
+    }
+
+    /** @return the height that a chart's rows add to a page; 0 if it is one of a quantity */
+    static int heightOfRows(Chart chart) {
+        return chart.rows().isEmpty() ? 0 : ROW * (chart.rows().size() + 1) + GAP;
     }
 
     static List<ChartPlot> plots(JFreeChart chart) {
@@ -97,7 +112,7 @@ final class Charts {
     }
 
     /** @return the legend of all series whose names are not in their charts; each appears once */
-    static LegendTitle legend(List<ChartPlot> plots) {
+    static LegendTitle legend(List<ChartPlot> plots, ChartFormat format) {
         LegendItemCollection items = new LegendItemCollection();
         Set<List<Object>> named = new HashSet<>();
         for (ChartPlot plot : plots) {
@@ -113,7 +128,7 @@ final class Charts {
         }
         LegendTitle legend = new LegendTitle(() -> items);
         legend.setItemFont(ChartStyle.LABEL);
-        legend.setItemPaint(ChartStyle.TEXT);
+        legend.setItemPaint(format.on(ChartStyle.TEXT));
         legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
         return legend;

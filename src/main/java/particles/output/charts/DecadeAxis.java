@@ -19,10 +19,8 @@ import org.jfree.data.Range;
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1L;
     private static final int FEWEST = 3;
-    /** Digits between powers of ten, as few as are enough. */
-    private static final List<double[]> DIGITS = List.of(new double[] {1}, new double[] {1, 3}, new double[] {1, 2, 5},
-            DoubleStream.iterate(1, d -> d + 1).limit(9).toArray(),
-            DoubleStream.iterate(1, d -> Math.rint(10 * d + 1) / 10).limit(90).toArray());
+    /** Digits between powers of ten, as few as are enough; where none are, ticks are those of a linear axis. */
+    private static final List<double[]> DIGITS = List.of(new double[] {1}, new double[] {1, 3}, new double[] {1, 2, 5});
 
     private final double[] ticks;
 
@@ -37,7 +35,13 @@ final class DecadeAxis extends LogAxis {
         double decades = Math.log10(range.getUpperBound() / range.getLowerBound());
         double[] powers = at(range, Math.max(1, (int) Math.ceil(decades / most)), DIGITS.get(0));
         return powers.length >= FEWEST ? powers : DIGITS.stream().map(digits -> at(range, 1, digits))
-                .filter(ticks -> ticks.length >= FEWEST).findFirst().orElse(powers);
+                .filter(ticks -> ticks.length >= FEWEST).findFirst()
+                .orElseGet(() -> multiples(range, Axes.unit(range.getLength() / most)));
+    }
+
+    private static double[] multiples(Range range, double unit) {
+        return DoubleStream.iterate(Math.ceil(range.getLowerBound() / unit), k -> k * unit <= range.getUpperBound(),
+                k -> k + 1).map(k -> k * unit).toArray();
     }
 
     private static double[] at(Range range, int step, double[] digits) {
@@ -51,7 +55,7 @@ final class DecadeAxis extends LogAxis {
     @Override
     public List<?> refreshTicks(Graphics2D g, AxisState state, Rectangle2D area, RectangleEdge edge) {
         TextAnchor anchor = RectangleEdge.isTopOrBottom(edge) ? TextAnchor.TOP_CENTER : TextAnchor.CENTER_RIGHT;
-        return DoubleStream.of(ticks).mapToObj(value -> new NumberTick(value, Axes.NUMBERS.format(value), anchor,
+        return DoubleStream.of(ticks).mapToObj(value -> new NumberTick(value, Axes.text(value), anchor,
                 TextAnchor.CENTER, 0)).toList();
     }
 }

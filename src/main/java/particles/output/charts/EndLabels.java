@@ -33,12 +33,17 @@ final class EndLabels {
     private final XYPlot plot;
     private final XYLineAndShapeRenderer renderer;
     private final ChartDataset data;
+    private final ChartFormat format;
     /** The series that are named. */
     final List<Integer> labelled = new ArrayList<>();
 
-    /** @param named whether lines are named here, and not in the legend */
-    EndLabels(XYPlot plot, boolean named) {
+    /**
+     * @param named  whether lines are named here, and not in the legend
+     * @param format the format of the picture
+     */
+    EndLabels(XYPlot plot, boolean named, ChartFormat format) {
         this.plot = plot;
+        this.format = format;
         renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         data = (ChartDataset) plot.getDataset();
         for (int k = 0; named && k < data.getSeriesCount(); k++) {
@@ -77,7 +82,7 @@ final class EndLabels {
     private void draw(Graphics2D g, int k, Point2D end, Rectangle2D area, double place) {
         double x = area.getMaxX() + LEADER;
         if (end.getX() > area.getMaxX() - EDGE * area.getWidth()) {
-            g.setPaint(ChartStyle.FIELD);               // a coloured one would look like more of the curve
+            g.setPaint(format.on(ChartStyle.FIELD));               // a coloured one would look like more of the curve
             g.setStroke(ChartStyle.LEADER);
             g.draw(new Line2D.Double(end, new Point2D.Double(x - 1, place)));
         }
@@ -88,7 +93,7 @@ final class EndLabels {
             g.fill(AffineTransform.getTranslateInstance(x + SAMPLE / 2, place)
                     .createTransformedShape(renderer.lookupSeriesShape(k)));
         }
-        g.setPaint(ChartStyle.TEXT);
+        g.setPaint(format.on(ChartStyle.TEXT));
         g.setFont(ChartStyle.LABEL);
         g.drawString(text(k), (float) (x + SAMPLE + GAP), (float) (place + LINE / 3));
     }

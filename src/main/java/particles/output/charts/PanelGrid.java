@@ -1,36 +1,42 @@
 package particles.output.charts;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
-import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.block.RectangleConstraint;
+import org.jfree.chart.plot.Plot;
+import org.jfree.chart.plot.PlotRenderingInfo;
+import org.jfree.chart.plot.PlotState;
 import org.jfree.chart.title.LegendTitle;
-import org.jfree.chart.title.TextTitle;
-import org.jfree.chart.title.Title;
-import org.jfree.chart.ui.Size2D;
-import org.jfree.data.Range;
 import particles.view.Panel;
 
-/** Small multiples: charts in a grid, under one title; the legend is below. */
-public final class PanelGrid {
+/** Small multiples: charts in the cells of a grid, under one title, with one legend below. */
+public final class PanelGrid extends Plot {
+    private static final long serialVersionUID = 1L;
     private static final int ROUND_CELL = 360;
-    private static final int CELL = 500;
-    /** With two columns there is room for the names of rows and of lines, too. */
-    private static final int WIDE_CELL = 720;
+    /** There is room for the names of rows and of lines, too. */
+    private static final int CELL = 720;
     private static final int LEAST_WIDTH = 1100;
     private static final double HEIGHT_OF_WIDTH = 0.6;
     /** Taller maps are narrower than their cells, and stand beside each other. */
     private static final double TALLEST = 2.4;
     private static final double TALL = 1.5;
-    /** The height of a title, an answer and an axis. */
+    /** The height of a panel's title, answer and axis. */
     private static final int HEAD_AND_AXIS = 100;
-    private static final int MARGIN = 10;
+    /** The height of the title of all, and that of the legend. */
+    private static final int LINE = 36;
 
-    private PanelGrid() {
+    private final transient List<JFreeChart> charts;
+    private final int columns;
+    /** The height of the rows below each chart, which is as large as the others without them. */
+    private final int[] named;
+
+    private PanelGrid(List<JFreeChart> charts, int columns, int[] named) {
+        this.charts = charts;
+        this.columns = columns;
+        this.named = named;
     }
 
     /** @return the number of panels in a row; rows are full if possible */
@@ -41,52 +47,52 @@ public final class PanelGrid {
     /**
      * @param title  the title over all panels
      * @param panels the panels, row by row
+     * @param format the format of the picture
      * @return the page
      */
-    public static ChartPage page(String title, List<Panel> panels) {
-        List<JFreeChart> charts = panels.stream().map(panel -> Charts.of(panel, ChartStyle.PANEL, true)).toList();
+    public static ChartPage page(String title, List<Panel> panels, ChartFormat format) {
+        List<JFreeChart> charts = panels.stream().map(panel -> Charts.of(panel, true, format)).toList();
         List<ChartPlot> plots = charts.stream().flatMap(chart -> Charts.plots(chart).stream()).toList();
         double left = plots.stream().mapToDouble(plot -> plot.getRoom().getLeft()).max().orElse(0);
         double right = plots.stream().mapToDouble(plot -> plot.getRoom().getRight()).max().orElse(0);
         plots.forEach(plot -> plot.setRoom(left, right));       // so that frames are of one size
-        Range x = plots.get(0).getDomainAxis().getRange();
         boolean round = plots.stream().allMatch(ChartPlot::isRound);
-        double shape = plots.get(0).getRangeAxis().getRange().getLength() / x.getLength();
-        int columns = round && shape > TALL ? panels.size() : columns(panels.size());
-        int width = Math.max(LEAST_WIDTH, columns * (round ? ROUND_CELL : columns > 2 ? CELL : WIDE_CELL));
-        double cell = (width - 2.0 * MARGIN) / columns;
-        Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
-        RectangleConstraint room = new RectangleConstraint(new Range(0, width), new Range(0, width));
-        TextTitle heading = new TextTitle(title, ChartStyle.TITLE);
-        heading.setPaint(ChartStyle.TEXT);
-        Size2D head = heading.arrange(trial, room);
-        LegendTitle legend = Charts.legend(plots);
-        Size2D foot = legend.arrange(trial, room);
-        trial.dispose();
-        int rows = (panels.size() + columns - 1) / columns;
-        double[] tops = new double[rows + 1];
-        tops[0] = head.height + 2 * MARGIN;
-        double plain = round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS : HEIGHT_OF_WIDTH * cell;
-        double[] heights = panels.stream().mapToDouble(panel -> plain + panel.charts().stream().mapToInt(data ->
-                data.rows().isEmpty() ? 0 : Charts.ROW * (data.rows().size() + 1) + Charts.GAP).sum()).toArray();
-        for (int row = 0; row < rows; row++) {
-            tops[row + 1] = tops[row] + Arrays.stream(heights).skip((long) row * columns).limit(columns).max()
-                    .orElse(0);
-        }
-        int height = (int) Math.ceil(tops[rows] + (Charts.isEmpty(legend) ? 0 : foot.height) + MARGIN);
-        return new ChartPage(width, height, false, g -> {
-            g.setColor(Color.WHITE);
-            g.fill(new Rectangle2D.Double(0, 0, width, height));
-            draw(heading, g, head, width, MARGIN);
-            for (int k = 0; k < charts.size(); k++) {
-                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cell, tops[k / columns], cell,
-                        heights[k]));
-            }
-            draw(legend, g, foot, width, tops[rows]);
-        });
+        double shape = plots.get(0).getRangeAxis().getRange().getLength()
+                / plots.get(0).getDomainAxis().getRange().getLength();
+        int columns = right > 0 ? Math.min(2, panels.size())
+                : round && shape > TALL ? panels.size() : columns(panels.size());
+        int width = Math.max(LEAST_WIDTH, columns * (round ? ROUND_CELL : CELL));
+        double cell = (double) width / columns;
+        int[] named = panels.stream().mapToInt(panel -> panel.charts().stream().mapToInt(Charts::heightOfRows).sum())
+                .toArray();
+        double high = largest(named) + (round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS
+                : HEIGHT_OF_WIDTH * cell);
+        PanelGrid grid = new PanelGrid(charts, columns, named);
+        LegendTitle legend = Charts.legend(plots, format);
+        return Charts.page(Charts.titled(title, "", grid, false, format), legend, width,
+                (int) (grid.rows() * high) + (Charts.isEmpty(legend) ? LINE : 2 * LINE));
     }
 
-    private static void draw(Title title, Graphics2D g, Size2D size, double width, double top) {
-        title.draw(g, new Rectangle2D.Double((width - size.width) / 2, top, size.width, size.height));
+    private int rows() {
+        return (charts.size() + columns - 1) / columns;
+    }
+
+    private static int largest(int[] heights) {
+        return Arrays.stream(heights).max().orElse(0);
+    }
+
+    @Override
+    public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, PlotState state, PlotRenderingInfo info) {
+        double width = area.getWidth() / columns;
+        double height = area.getHeight() / rows();
+        for (int k = 0; k < charts.size(); k++) {
+            charts.get(k).draw(g, new Rectangle2D.Double(area.getX() + k % columns * width,
+                    area.getY() + k / columns * height, width, height - largest(named) + named[k]));
+        }
+    }
+
+    @Override
+    public String getPlotType() {
+        return "grid of charts";
     }
 }

@@ -2,15 +2,14 @@ package particles.output.charts;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Paint;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Path2D;
-import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.stream.IntStream;
-import org.jfree.chart.annotations.AbstractXYAnnotation;
 import org.jfree.chart.annotations.XYAnnotation;
+import org.jfree.chart.annotations.XYPointerAnnotation;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.PlotRenderingInfo;
@@ -43,8 +42,8 @@ final class PhasePlot {
     private PhasePlot() {
     }
 
-    static ChartPlot of(Panel panel) {
-        ChartPlot plot = new ChartPlot(panel.charts().get(0), Panel.Kind.PHASE, TICKS, TICKS);
+    static ChartPlot of(Panel panel, ChartFormat format) {
+        ChartPlot plot = new ChartPlot(panel.charts().get(0), Panel.Kind.PHASE, TICKS, TICKS, format);
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         ChartDataset data = (ChartDataset) plot.getDataset();
         for (int k = 0; k < data.getSeriesCount(); k++) {
@@ -59,17 +58,18 @@ final class PhasePlot {
                 for (double place : HEADS) {
                     int from = (int) (place * (series.x().length - 1));
                     if (from + 1 < series.x().length && !Double.isNaN(series.x()[from] + series.x()[from + 1])) {
-                        renderer.addAnnotation(head(series, from));
+                        renderer.addAnnotation(head(series, from,
+                                format.on(new Color(series.look().rgb()))));
                     }
                 }
             }
         }
-        panel.field().ifPresent(field -> addField(plot, field));
+        panel.field().ifPresent(field -> addField(plot, field, format.on(ChartStyle.FIELD)));
         return plot;
     }
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
-    private static void addField(ChartPlot plot, VectorField field) {
+    private static void addField(ChartPlot plot, VectorField field, Paint colour) {
         double cellX = spacing(field.x());
         double cellV = spacing(field.v());
         double time = IntStream.range(0, field.x().length).mapToDouble(k -> Math.min(cellX / Math.abs(field.v()[k]),
@@ -82,7 +82,7 @@ final class PhasePlot {
         data.addSeries(arrows);
         VectorRenderer renderer = new VectorRenderer();
         renderer.setAutoPopulateSeriesPaint(false);
-        renderer.setSeriesPaint(0, ChartStyle.FIELD);
+        renderer.setSeriesPaint(0, colour);
         plot.setDataset(1, data);
         plot.setRenderer(1, renderer);
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
@@ -104,27 +104,28 @@ final class PhasePlot {
     }
 
     /** The head of an arrow at a state of a path, which points to the next one; its size is in pixels. */
-    private static XYAnnotation head(Series path, int from) {
-        return new AbstractXYAnnotation() {
+    private static XYAnnotation head(Series path, int from, Paint colour) {
+        XYPointerAnnotation head = new XYPointerAnnotation("", path.x()[from + 1], path.y()[from + 1], 0) {
             private static final long serialVersionUID = 1L;
 
             @Override
             public void draw(Graphics2D g, XYPlot plot, Rectangle2D area, ValueAxis across, ValueAxis up, int index,
                     PlotRenderingInfo info) {
-                Point2D[] ends = IntStream.of(from, from + 1).mapToObj(k -> new Point2D.Double(
-                        across.valueToJava2D(path.x()[k], area, RectangleEdge.BOTTOM),
-                        up.valueToJava2D(path.y()[k], area, RectangleEdge.LEFT))).toArray(Point2D[]::new);
-                AffineTransform turned = AffineTransform.getTranslateInstance(ends[1].getX(), ends[1].getY());
-                turned.rotate(ends[1].getX() - ends[0].getX(), ends[1].getY() - ends[0].getY());
-                Path2D tip = new Path2D.Double();
-                tip.moveTo(0, 0);
-                tip.lineTo(-HEAD, -0.42 * HEAD);
-                tip.lineTo(-HEAD, 0.42 * HEAD);
-                if (ends[0].distance(ends[1]) > AT_REST) {
-                    g.setPaint(new Color(path.look().rgb()));
-                    g.fill(turned.createTransformedShape(tip));
+                double back = across.valueToJava2D(path.x()[from], area, RectangleEdge.BOTTOM)
+                        - across.valueToJava2D(getX(), area, RectangleEdge.BOTTOM);
+                double down = up.valueToJava2D(path.y()[from], area, RectangleEdge.LEFT)
+                        - up.valueToJava2D(getY(), area, RectangleEdge.LEFT);
+                setAngle(Math.atan2(down, back));
+                if (Math.hypot(down, back) > AT_REST) {
+                    super.draw(g, plot, area, across, up, index, info);
                 }
             }
         };
+        head.setTipRadius(0);
+        head.setBaseRadius(HEAD);
+        head.setArrowLength(HEAD);
+        head.setArrowWidth(0.42 * HEAD);
+        head.setArrowPaint(colour);
+        return head;
     }
 }

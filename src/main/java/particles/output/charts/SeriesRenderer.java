@@ -16,8 +16,11 @@ final class SeriesRenderer {
     private SeriesRenderer() {
     }
 
-    /** @param path whether dense lines let shine through also what is below the first one */
-    static XYLineAndShapeRenderer of(List<Series> series, boolean path) {
+    /**
+     * @param path   whether dense lines let shine through also what is below the first one
+     * @param format the format of the picture
+     */
+    static XYLineAndShapeRenderer of(List<Series> series, boolean path, ChartFormat format) {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setAutoPopulateSeriesPaint(false);     // or a theme removes what is set here
@@ -35,17 +38,19 @@ final class SeriesRenderer {
                     && (Series.isDense(one.x()) || Series.isDense(one.y()));
             boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
             boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
-            Color colour = new Color((failed ? Look.FAILURE : looks.get(k)).rgb());
+            Color colour = format.on(new Color((failed ? Look.FAILURE : looks.get(k)).rgb()));
+            Color ground = format.on(Color.WHITE);
             int variant = looks.get(k).variant();
             renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.BARS || mark == Mark.BAND);
             renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
-            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
+            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(colour, 150)
+                    : mark == Mark.BAND ? ChartStyle.pale(colour, 90) : colour);
             renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
                     : mark == Mark.BAND ? ChartStyle.BAND : ChartStyle.stroke(variant));
             renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
                     : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : ChartStyle.shape(variant));
-            renderer.setSeriesFillPaint(k, open ? Color.WHITE : colour);
-            renderer.setSeriesOutlinePaint(k, open ? colour : Color.WHITE);
+            renderer.setSeriesFillPaint(k, open ? ground : colour);
+            renderer.setSeriesOutlinePaint(k, open ? colour : ground);
             renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : new BasicStroke(0.6f));
         }
         return renderer;

@@ -5,12 +5,9 @@ import com.lowagie.text.FontFactory;
 import com.lowagie.text.Rectangle;
 import com.lowagie.text.pdf.BaseFont;
 import com.lowagie.text.pdf.DefaultFontMapper;
-import com.lowagie.text.pdf.PdfContentByte;
 import com.lowagie.text.pdf.PdfGraphics2D;
 import com.lowagie.text.pdf.PdfWriter;
-import java.awt.Color;
 import java.awt.Font;
-import java.awt.Paint;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.stream.Stream;
@@ -37,36 +34,10 @@ final class SlidesPdf {
         }
     }
 
-    /** Draws a page, on black if wanted. */
-    private static final class PageGraphics extends PdfGraphics2D {
-        private final boolean dark;
-
-        PageGraphics(PdfContentByte page, Rectangle size, boolean dark) {
-            super(page, size.getWidth(), size.getHeight(), Fonts.FOUND, !Fonts.FOUND.areFound, false, 0);
-            this.dark = dark;
-        }
-
-        private PageGraphics(PageGraphics parent) {
-            super(parent);
-            dark = parent.dark;
-        }
-
-        @Override
-        protected PdfGraphics2D createChild() {
-            return new PageGraphics(this);
-        }
-
-        @Override
-        public void setPaint(Paint paint) {
-            super.setPaint(dark && paint instanceof Color colour ? new Color(colour.getAlpha() << 24
-                    | ChartFormat.onBlack(colour.getRGB() & 0xffffff), true) : paint);
-        }
-    }
-
     private SlidesPdf() {
     }
 
-    static byte[] of(List<ChartPage> pages, boolean dark) {
+    static byte[] of(List<ChartPage> pages) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         Rectangle size = new Rectangle(ChartFormat.SLIDE_WIDTH, ChartFormat.SLIDE_HEIGHT);
         Document document = new Document(size);
@@ -74,7 +45,8 @@ final class SlidesPdf {
         document.open();
         for (ChartPage page : pages) {
             document.newPage();                         // does nothing on the first page, which is still empty
-            PageGraphics g = new PageGraphics(writer.getDirectContent(), size, dark && !page.showsScene());
+            PdfGraphics2D g = new PdfGraphics2D(writer.getDirectContent(), size.getWidth(), size.getHeight(),
+                    Fonts.FOUND, !Fonts.FOUND.areFound, false, 0);
             double scale = size.getWidth() / page.width();
             g.scale(scale, scale);
             page.drawing().accept(g);

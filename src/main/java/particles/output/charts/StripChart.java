@@ -18,7 +18,7 @@ public final class StripChart {
 
     /** Creates a chart of these data. */
     public StripChart(Chart data) {
-        chart = Charts.of(Panel.of("", List.of(data)), ChartStyle.PANEL, true);
+        chart = Charts.of(Panel.of("", List.of(data)), true, ChartFormat.PAGE);
         plot = Charts.plots(chart).get(0);
         plot.ends.labelled.clear();
         plot.setRoom(plot.getRoom().getLeft(), 0);

@@ -6,7 +6,6 @@ import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
-import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.DefaultExtensionHandler;
@@ -21,9 +20,6 @@ import particles.output.files.PngEncoder;
 
 /** A drawing as a vector graphic; its text is text, so that it can be searched and edited. */
 final class SvgDrawing {
-    private static final Pattern COLOUR = Pattern.compile(
-            "(?<=[:\"])(?:white|black|rgb\\((\\d+),(\\d+),(\\d+)\\))(?=[;\"])");
-
     /** Batik's own writers of pictures are in a library of their own. */
     private static final class OurImages extends ImageHandlerBase64Encoder {
         @Override
@@ -42,7 +38,7 @@ final class SvgDrawing {
     private SvgDrawing() {
     }
 
-    static void write(OutputFolder folder, String name, ChartPage page, boolean dark) {
+    static void write(OutputFolder folder, String name, ChartPage page) {
         try (StringWriter text = new StringWriter()) {
             DOMImplementation dom = DocumentBuilderFactory.newInstance().newDocumentBuilder().getDOMImplementation();
             SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null),
@@ -53,17 +49,9 @@ final class SvgDrawing {
             root.setAttribute("viewBox", "0 0 " + page.width() + " " + page.height());
             g.stream(root, text, true, false);
             // without the document type, which names an address that some programs would wait for
-            String svg = text.toString().replaceFirst("<!DOCTYPE[^>]*>", "");
-            folder.write(name, dark ? onBlack(svg) : svg);
+            folder.write(name, text.toString().replaceFirst("<!DOCTYPE[^>]*>", ""));
         } catch (IOException | ParserConfigurationException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", new IOException(e));
         }
-    }
-
-    private static String onBlack(String svg) {
-        return COLOUR.matcher(svg).replaceAll(colour -> "#%06x".formatted(ChartFormat.onBlack(
-                colour.group().equals("white") ? 0xffffff : colour.group().equals("black") ? 0
-                : Integer.parseInt(colour.group(1)) << 16 | Integer.parseInt(colour.group(2)) << 8
-                | Integer.parseInt(colour.group(3)))));
     }
 }

@@ -164,6 +164,6 @@ public record Picture(String name, String caption, String title, List<Panel> pan
     /** @return the page to be drawn; none if the picture is made elsewhere */
     public Optional<ChartPage> page(ChartFormat format) {
         return panels.isEmpty() ? drawn : Optional.of(panels.size() == 1
-                ? ChartPage.of(panels.get(0), format) : PanelGrid.page(title, panels));
+                ? ChartPage.of(panels.get(0), format) : PanelGrid.page(title, panels, format));
     }
 }

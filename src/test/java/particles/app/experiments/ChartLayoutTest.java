@@ -86,7 +86,7 @@ class ChartLayoutTest {
     void whatIsInTheWayIsSeen(String fault, Consumer<Graphics2D> besides) {
         ChartPage page = ChartPage.of(LINE, SLIDE);
         assertEquals(List.of(), Layout.faults(page, List.of(LINE), SLIDE));
-        List<String> faults = Layout.faults(new ChartPage(page.width(), page.height(), false,
+        List<String> faults = Layout.faults(new ChartPage(page.width(), page.height(),
                 page.drawing().andThen(besides)), List.of(LINE), SLIDE);
         assertTrue(faults.size() > 0 && faults.stream().allMatch(line -> line.contains(fault)), faults.toString());
     }

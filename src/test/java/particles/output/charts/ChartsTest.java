@@ -58,11 +58,11 @@ class ChartsTest {
     }
 
     private static JFreeChart drawn(Chart... charts) {
-        return Charts.of(Panel.of("title", List.of(charts)), ChartStyle.TITLE, false);
+        return Charts.of(Panel.of("title", List.of(charts)), false, ChartFormat.PAGE);
     }
 
     private static XYPlot path(Chart chart, Optional<VectorField> field) {
-        return Charts.of(Panel.phase("title", chart, field), ChartStyle.TITLE, false).getXYPlot();
+        return Charts.of(Panel.phase("title", chart, field), false, ChartFormat.PAGE).getXYPlot();
     }
 
     private static Look look(String solver) {
@@ -134,7 +134,7 @@ class ChartsTest {
         XYPlot below = plot.getSubplots().get(1);
         assertTrue(below.getRangeAxis().getUpperBound() < 1.2e-14, "a small drift fills its axis");
         assertEquals(List.of(2, 1), Charts.plots(chart).stream().map(part -> part.ends.labelled.size()).toList());
-        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart))), "all names stand in the chart");
+        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart), ChartFormat.PAGE)), "all names stand in the chart");
     }
 
     /** Runs without a result stand in rows below, named, from above in the order given; the legend has their mark. */
@@ -151,7 +151,7 @@ class ChartsTest {
         assertEquals(List.of("euler", "rk4"), List.of(rows.getSymbols()));
         assertTrue(rows.isInverted());
         assertTrue(plot.getDomainAxis().getUpperBound() >= 1000, "the axis reaches to the failures");
-        LegendItemCollection legend = Charts.legend(Charts.plots(chart)).getSources()[0].getLegendItems();
+        LegendItemCollection legend = Charts.legend(Charts.plots(chart), ChartFormat.PAGE).getSources()[0].getLegendItems();
         assertEquals(1, legend.getItemCount(), "rk4 has its name at its end");
         assertEquals("did not converge", legend.get(0).getLabel());
         assertEquals(ChartStyle.GIVEN_UP, legend.get(0).getShape());
@@ -177,7 +177,7 @@ class ChartsTest {
     @CsvSource({"1e-17, 1e3, 1e-15 1e-12 1e-9 1e-6 0.001 1 1000", "0.5, 2e6, 1 10 100 1000 10000 1e5 1e6",
         "4e-3, 6e-2, 0.005 0.01 0.02 0.05", "1.2, 1.8, 1.2 1.3 1.4 1.5 1.6 1.7 1.8"})
     void logarithmicTicksAreEven(double low, double high, String labels) {
-        assertEquals(labels, DoubleStream.of(DecadeAxis.ticks(new Range(low, high), 8)).mapToObj(Axes.NUMBERS::format)
+        assertEquals(labels, DoubleStream.of(DecadeAxis.ticks(new Range(low, high), 8)).mapToObj(Axes::text)
                 .collect(Collectors.joining(" ")));
     }
 
@@ -220,7 +220,7 @@ class ChartsTest {
                 Series line = series(look("rk4"), "rk4", y);
                 XYPlot plot = path(chart(false, new Series(line.look(), "rk4", Mark.LINE, line.x(), line.y())),
                         Optional.empty());
-                assertEquals(turns == 130 ? ChartStyle.pale(strong) : strong, plot.getRenderer().getSeriesPaint(0),
+                assertEquals(turns == 130 ? ChartStyle.pale(strong, 150) : strong, plot.getRenderer().getSeriesPaint(0),
                         turns + " turns of " + y.length + " states");
             }
         }
@@ -262,7 +262,7 @@ class ChartsTest {
         Series bars = new Series(Look.OWN, "mine", Mark.BARS, new double[] {1, 2}, new double[] {1, 1});
         JFreeChart chart = drawn(chart(true, bars, series("mine", 1, 2).ending("2 s")));
         assertEquals(1, Charts.plots(chart).get(0).ends.labelled.size());
-        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart))));
+        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart), ChartFormat.PAGE)));
         PageRecorder page = new PageRecorder(ChartPage.of(Panel.of("t", List.of(chart(true, bars, series("mine", 1,
                 2).ending("2 s")))), ChartFormat.PAGE));
         assertEquals(1, page.texts().stream().filter(text -> text.text().equals("mine  2 s")).count());
@@ -271,6 +271,6 @@ class ChartsTest {
     @Test
     void exponentsHaveOneStyleOnAllAxes() {
         assertEquals(List.of("100", "0.01", "1e-6", "1e7", "0"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7, 0)
-                .mapToObj(Axes.NUMBERS::format).toList());
+                .mapToObj(Axes::text).toList());
     }
 }

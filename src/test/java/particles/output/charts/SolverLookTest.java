@@ -94,7 +94,7 @@ class SolverLookTest {
         Series rk4 = new Series(look("rk4"), "rk4", Mark.LINE_AND_POINTS, new double[] {1, 2}, new double[] {1, 3});
         Series verlet = new Series(look("verlet"), "verlet", Mark.LINE, new double[] {1, 2}, new double[] {1, 4});
         XYItemRenderer renderer = Charts.of(Panel.of("", List.of(new Chart(Axis.TIME, Axis.TIME, List.of(line, rk4,
-                verlet)))), ChartStyle.TITLE, false).getXYPlot().getRenderer();
+                verlet)))), false, ChartFormat.PAGE).getXYPlot().getRenderer();
         assertEquals(colour("verlet"), renderer.getSeriesPaint(0), "without dashes, so below those with some");
         assertEquals(ChartStyle.stroke(0), renderer.getSeriesStroke(0));
         assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(1));
