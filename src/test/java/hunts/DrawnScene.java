@@ -133,7 +133,7 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
                         "centre", list(centre), "radius", radius)));
         Arbitrary<Map<String, Map<String, Object>>> soft = Combinators.combine(decades(2, 5), decades(-2, -0.5),
                 orZero(few), Arbitraries.of("linear", "hertz")).as((k, radius, c, law) -> Map.of("repulsion",
-                        Map.of("stiffness", k, "radius", radius, "damping", c, "law", law)));
+                        Map.of("stiffness", k, "radius", radius, "loss", c, "law", law)));
         return Arbitraries.oneOf(Arbitraries.just(Map.of("gravity", Map.of())),
                 vectors(10).map(g -> Map.of("gravity", Map.of("acceleration", list(g)))),
                 few.map(c -> Map.of("drag", Map.of("coefficient", c))),

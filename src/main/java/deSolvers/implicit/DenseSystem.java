@@ -121,6 +121,7 @@ final class DenseSystem implements ShiftedJacobian {
         if (n > 0) {
             real.solve(right, solution);
         }
+        keepConstant(b, x);
         return StepTransaction.firstNonFinite(x) < 0;
     }
 
@@ -135,7 +136,20 @@ final class DenseSystem implements ShiftedJacobian {
         for (int k = 0; k < 2 * n; k++) {
             x[k % 2][k / 2] = complexSolution.data[k];
         }
+        keepConstant(b[0], x[0]);
+        keepConstant(b[1], x[1]);
         return StepTransaction.firstNonFinite(complexSolution.data) < 0;
+    }
+
+    /** Where f does not depend on the state, x = b: the elimination would move a fixed particle by its round-off. */
+    private void keepConstant(double[] b, double[] x) {
+        for (int i = 0; i < n; i++) {
+            boolean constant = true;
+            for (int at = i * n; at < (i + 1) * n && constant; at++) {
+                constant = jacobian[at] == 0;
+            }
+            x[i] = constant ? b[i] : x[i];
+        }
     }
 
     /** {@inheritDoc} A scalar product in the unknowns' units. */

@@ -27,6 +27,7 @@ public final class Cohesion extends PairForce {
     private double[] radii = {};                        // half the range, for each particle
     private final double inverseSquare;                 // 1/h^2
     private final double depth;
+    private final double damping;
     private final double scale;                         // 1/u0^4
 
     /**
@@ -38,13 +39,13 @@ public final class Cohesion extends PairForce {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
-        super(particles, damping);
+        super(particles, damping > 0);
         if (!(distance > 0 && distance < range && range <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than"
                     + " its range, not "
                     + distance + " with a range of " + range);
         }
-        Require.notNegative("cohesion's damping", damping);
+        this.damping = Require.notNegative("cohesion's damping", damping);
         this.range = range;
         inverseSquare = 1 / (range * range);
         double u0 = 1 - distance * distance * inverseSquare;

@@ -18,7 +18,7 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     static final int STRIDE = Particles.STRIDE;
 
     final Particles particles;
-    final double damping;
+    private final boolean damped;
     /** The candidates for neighbours; those of a particle are in a row. */
     int[] near = {};
     private final double[] r = new double[3];
@@ -28,11 +28,11 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
 
     /**
      * @param particles the particles on which it acts
-     * @param damping   c, damping of the relative speed of a pair (N s/m), 0 or more
+     * @param damped    whether s depends on r . r', and so loses energy
      */
-    PairForce(Particles particles, double damping) {
+    PairForce(Particles particles, boolean damped) {
         this.particles = particles;
-        this.damping = damping;
+        this.damped = damped;
     }
 
     /** Prepares the candidates of all particles. */
@@ -65,12 +65,12 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     @Override
     public final Set<Trait> getTraits() {
         return Set.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
-                damping > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
+                damped ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
     }
 
     @Override
     public final boolean dependsOnVelocity() {
-        return damping > 0;
+        return damped;
     }
 
     /**
@@ -122,7 +122,7 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
                 if (!reaches(p, near[k], square)) {
                     continue;
                 }
-                double parting = damping == 0 ? 0 : rx * (state[i + 3] - state[j + 3])
+                double parting = !damped ? 0 : rx * (state[i + 3] - state[j + 3])
                         + ry * (state[i + 4] - state[j + 4]) + rz * (state[i + 5] - state[j + 5]);
                 double perLength = perLength(p, near[k], square, parting);
                 fx += perLength * rx;
@@ -165,7 +165,7 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     @Override
     public final double getDissipatedPower(double[] state, double time) {
         double[] sum = new double[1];
-        if (damping > 0) {
+        if (damped) {
             forEachPair(state, (i, j, square, parting) -> sum[0] += parting
                     * (perLength(i, j, square, 0) - perLength(i, j, square, parting)));
         }

@@ -15,27 +15,32 @@ import particles.spec.Values;
  * Soft spheres: particles are balls that push each other apart where they overlap. With r = x_i - x_j and the overlap
  * d = R_i + R_j - |r|, the force along the line of centres is
  * <pre>
- *   F_i = max(0, k d^p + c d') r / |r|      for d &gt; 0
+ *   F_i = k d^p max(0, 1 + b d') r / |r|      for d &gt; 0
  * </pre>
- * p = 1 for the linear law, 3/2 for Hertz's law of elastic balls. A pair stores k d^(p + 1)/(p + 1). The force is never
- * attractive: in the last part of an impact, where damping would pull, it is 0. With damping it jumps by c d' as the
- * balls touch, so fixed-step solvers drop to order 1. Balls do not spin, and there is no friction between them. Two
- * balls with the same centre have no direction in which to push each other: scenes and births with such balls are
- * refused. Balls that pass through that point do not push each other there.
+ * p = 1 for the linear law, 3/2 for Hertz's law of elastic balls; b is the bounce loss, as of {@link Penalty}. A pair
+ * stores k d^(p + 1)/(p + 1). The force begins at 0, so it is continuous, and it is never attractive. Balls do not
+ * spin, and there is no friction between them. Two balls with the same centre have no direction in which to push each
+ * other: scenes and births with such balls are refused. Balls that pass through that point do not push each other
+ * there.
  *
- * <p>Without damping, a linear impact of two balls with reduced mass m takes pi sqrt(m/k); Hertz's takes 3.218 (m&sup2;
+ * <p>Balls that meet with the speed v part with the speed w for which b v - ln(1 + b v) = -b w - ln(1 - b w), whatever
+ * k, p and the masses are. That is about (1 - 2/3 b v) v for slow balls, and less than 1/b for any.
+ *
+ * <p>Without loss, a linear impact of two balls with reduced mass m takes pi sqrt(m/k); Hertz's takes 3.218 (m&sup2;
  * / (k&sup2; v))^(1/5), with v the speed of approach.
  *
  * <p>Neighbours come from {@link NeighbourLists}. The largest ball sets the search range of all, so one ball far larger
  * than the others makes it slow.
  *
- * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979).
+ * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979); of the damping, K.
+ * Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
  */
 public final class Repulsion extends PairForce implements DivisibleEffect, CentralForce {
     private static final int PARTICLES_PER_BLOCK = 64;
 
     private final boolean hertz;
     private final double stiffness;
+    private final double loss;
     private final double radius;
     private final NeighbourLists lists = new NeighbourLists(false);
     private double largest;
@@ -46,12 +51,12 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
      * @param radius    the radius of each without one of its own (m), positive
      * @param hertz     whether Hertz's law holds
      * @param stiffness k (N/m, or N/m^1.5 for Hertz's law), positive
-     * @param damping   c (N s/m), 0 or more
+     * @param loss      b, the relative increase of the force per m/s of approach (s/m), 0 or more; 0 loses no energy
      * @throws IllegalArgumentException if a number is out of its range
      */
-    public Repulsion(Particles particles, double radius, boolean hertz, double stiffness, double damping) {
-        super(particles, damping);
-        Require.notNegative("repulsion's damping", damping);
+    public Repulsion(Particles particles, double radius, boolean hertz, double stiffness, double loss) {
+        super(particles, loss > 0);
+        this.loss = Require.notNegative("repulsion's loss", loss);
         this.radius = requireRadius(radius);
         this.hertz = hertz;
         this.stiffness = Require.positive("repulsion's stiffness", stiffness);
@@ -151,7 +156,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     double perLength(int i, int j, double square, double parting) {
         double length = Math.sqrt(square);
         double inverse = 1 / length;
-        return Math.max(0, elastic(radii[i] + radii[j] - length) - damping * parting * inverse) * inverse;
+        return elastic(radii[i] + radii[j] - length) * Math.max(0, 1 - loss * parting * inverse) * inverse;
     }
 
     /** k d^p. */
@@ -167,18 +172,20 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
 
     @Override
     double bySquare(int i, int j, double square, double parting) {
-        if (perLength(i, j, square, parting) == 0) {
+        double length = Math.sqrt(square);
+        double increase = 1 - loss * parting / length;
+        if (increase <= 0) {
             return 0;
         }
-        double length = Math.sqrt(square);
         double overlap = radii[i] + radii[j] - length;
         double slope = hertz ? 1.5 * stiffness * Math.sqrt(Math.max(0, overlap)) : stiffness;
-        return (damping * parting / square - (slope + elastic(overlap) / length) / 2) / square;
+        return (elastic(overlap) / length * (loss * parting / length - increase) - slope * increase) / (2 * square);
     }
 
     @Override
     double byParting(int i, int j, double square, double parting) {
-        return perLength(i, j, square, parting) == 0 ? 0 : -damping / square;
+        double length = Math.sqrt(square);
+        return loss * parting < length ? -loss * elastic(radii[i] + radii[j] - length) / square : 0;
     }
 
     @Override
@@ -202,14 +209,14 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
                 "linear: the push is k times the overlap d; hertz: k d^1.5, as of elastic balls.");
         private static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
                 "k (N/m; for hertz N/m^1.5).");
-        private static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
-                "c (N s/m): the push grows by c times the speed of approach, and is never negative;"
-                + " 0 loses no energy.");
+        private static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
+                "b (s/m): at overlap d and speed of approach v the push is k d (1 + b v), and never negative;"
+                + " balls that meet slowly, at v, part at about v (1 - 2/3 b v); 0 loses no energy.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("repulsion", "Particles are soft balls that push each other apart where they overlap.",
-                    SharedKeys.BALL_RADIUS, LAW, STIFFNESS, DAMPING);
+                    SharedKeys.BALL_RADIUS, LAW, STIFFNESS, LOSS);
         }
 
         @Override
@@ -220,7 +227,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
         @Override
         public void build(Values values, EffectContext scene) {
             Repulsion repulsion = new Repulsion(scene.particles(), values.get(SharedKeys.BALL_RADIUS),
-                    values.get(LAW).equals("hertz"), values.get(STIFFNESS), values.get(DAMPING));
+                    values.get(LAW).equals("hertz"), values.get(STIFFNESS), values.get(LOSS));
             for (int i = 0; i < scene.particles().count(); i++) {
                 int particle = i;
                 scene.ownRadius(i).ifPresent(own -> repulsion.setRadius(particle, own));

@@ -50,6 +50,8 @@ final class Block {
     private double[] separation = {};
     private boolean[] mayOpen = {};
     private boolean[] active = {};
+    private boolean[] first = {};                       // those that were active as the step began
+    private int firstAt = NONE;                         // the number of that step
     private boolean assembled;                          // for the present gradients
     private int gatheredAt = NONE;                      // the modes' count of changes
     private BitSet usual = held;                        // particles that are held in most uses
@@ -162,8 +164,10 @@ final class Block {
             separation = new double[most];
             mayOpen = new boolean[most];
             active = new boolean[most];
+            first = new boolean[most];
         }
         Arrays.fill(active, true);
+        firstAt = NONE;
         layOut();
     }
 
@@ -257,7 +261,12 @@ final class Block {
             assembled = rows.length == 1;
         }
         if (!hasPairs || gatheredAt == NONE) {
-            Arrays.fill(active, true);                  // balls in contact push as they did before
+            Arrays.fill(active, true);
+        } else if (firstAt != contacts.getSliding().getStep()) {
+            firstAt = contacts.getSliding().getStep();
+            System.arraycopy(active, 0, first, 0, first.length);
+        } else {                                        // the same state has the same forces, to the last digit
+            System.arraycopy(first, 0, active, 0, first.length);
         }
         for (int r = 0; r < rows.length; r++) {
             right[r] = rows[r].right;

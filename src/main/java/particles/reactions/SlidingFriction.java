@@ -20,11 +20,13 @@ final class SlidingFriction {
 
     private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals of pushing surfaces
     private int surfaces;
+    private int step;                                   // its number
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
 
     /** Records the state at the beginning of a step. */
     void beginStep(ParticleSystem system) {
+        step++;
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
         }
@@ -62,6 +64,11 @@ final class SlidingFriction {
     /** @return the state at the beginning of the step; read only */
     double[] getStepBegin() {
         return stepBegin;
+    }
+
+    /** The number of the step. */
+    int getStep() {
+        return step;
     }
 
     /**

@@ -26,6 +26,7 @@ import particles.engine.ParallelForces;
 import particles.law.Plane;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
+import particles.scene.ShortRun;
 
 /** Soft balls against the closed forms of their impacts, statics and the laws of conservation. */
 class RepulsionTest {
@@ -36,11 +37,11 @@ class RepulsionTest {
     private static final double SPEED = 2;
 
     /** Two balls of radius 0.5 that have just begun to overlap; only the first one moves. */
-    private static ParticleSystem impact(boolean hertz, double damping, double overlap, Vector3 velocity) {
+    private static ParticleSystem impact(boolean hertz, double loss, double overlap, Vector3 velocity) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("light", LIGHT, Vector3.ZERO, velocity, false);
         system.addParticle("heavy", HEAVY, new Vector3(1 - overlap, 0, 0), Vector3.ZERO, false);
-        system.addEffect(new Repulsion(system.getParticles(), 0.5, hertz, K, damping));
+        system.addEffect(new Repulsion(system.getParticles(), 0.5, hertz, K, loss));
         return system;
     }
 
@@ -64,18 +65,29 @@ class RepulsionTest {
     }
 
     /**
-     * With the force cut off where it would pull, e = exp(-beta/omega (pi - atan2(2 beta omega, omega^2 - beta^2))),
-     * beta = c/(2 m), omega^2 = k/m - beta^2. T. Schwager, T. P&ouml;schel, Granular Matter 9 (2007). Measured: 5e-12.
+     * From v dv/dd = -(k/m) d^p (1 + b v), with v = d' the speed of approach: v/b - ln(1 + b v)/b^2 is as large at the
+     * end as at the beginning, for any k, p and m. Measured: 5e-9.
      */
     @ParameterizedTest
-    @ValueSource(doubles = {0.5, 5, 15, 30})
-    void dampingSetsTheRestitution(double damping) {
-        double beta = damping / (2 * REDUCED);
-        double omega = Math.sqrt(K / REDUCED - beta * beta);
-        double time = (Math.PI - Math.atan2(2 * beta * omega, omega * omega - beta * beta)) / omega;
-        ParticleSystem system = impact(false, damping, 1e-12, new Vector3(SPEED, 0, 0));
-        Steps.make(6000, new RK4Solver(), system, time / 4000);
-        assertEquals(Math.exp(-beta * time), (entry(system, 9) - entry(system, 3)) / SPEED, 5e-11);
+    @CsvSource({"false, 0.05", "false, 0.5", "false, 5", "true, 0.05", "true, 0.5", "true, 5"})
+    void lossSetsTheRestitutionWhateverTheBallsAreMadeOf(boolean hertz, double loss) {
+        ParticleSystem system = impact(hertz, loss, 1e-12, new Vector3(SPEED, 0, 0));
+        double time = 0;
+        for (; overlap(system) > 0; time += 1e-5) {
+            Steps.make(1, new RK4Solver(), system, 1e-5);
+        }
+        double parting = entry(system, 9) - entry(system, 3);
+        assertEquals(loss * SPEED - Math.log1p(loss * SPEED), -loss * parting - Math.log1p(-loss * parting), 1e-8);
+        assertBelow(1 / loss, parting);
+    }
+
+    /** To first order, 1 - 2/3 b v: at b v = 0.002. Measured: 1.8e-6, 0.44 (b v)^2. */
+    @Test
+    void slowBallsPartAtTwoThirdsOfTheLossLess() {
+        ParticleSystem system = impact(false, 0.001, 1e-12, new Vector3(SPEED, 0, 0));
+        Steps.make(2000, new RK4Solver(), system, Math.PI * Math.sqrt(REDUCED / K) / 1990);
+        assertTrue(overlap(system) < 0);
+                assertEquals(1 - 2.0 / 3 * 0.002, (entry(system, 9) - entry(system, 3)) / SPEED, 0.002 * 0.002);
     }
 
     /** Measured: 5e-6 of the time, 8e-10 of the overlap. */
@@ -94,11 +106,11 @@ class RepulsionTest {
         assertBelow(0, overlap(system));
     }
 
-    /** Momenta stay, and without damping the energy does too. Measured: 7e-15, 2.4e-14 and 1.8e-6. */
+    /** Momenta stay, and without loss the energy does too. Measured: 7e-15, 2.4e-14 and 1.8e-6. */
     @ParameterizedTest
-    @CsvSource({"false,0", "true,0", "false,8", "true,8"})
-    void anObliqueImpactKeepsMomenta(boolean hertz, double damping) {
-        ParticleSystem system = impact(hertz, damping, 1e-9, new Vector3(SPEED, 1, 0));
+    @CsvSource({"false,0", "true,0", "false,0.3", "true,0.3"})
+    void anObliqueImpactKeepsMomenta(boolean hertz, double loss) {
+        ParticleSystem system = impact(hertz, loss, 1e-9, new Vector3(SPEED, 1, 0));
         double spin = spin(system);
         double energy = system.getEnergy(system.getOwnState(), 0);
         Steps.make(2000, new RK4Solver(), system, 2e-4);
@@ -107,7 +119,7 @@ class RepulsionTest {
         assertEquals(LIGHT, LIGHT * entry(system, 4) + HEAVY * entry(system, 10), 2e-14);
         assertEquals(spin, spin(system), 1e-13);
         double lost = energy - system.getEnergy(system.getOwnState(), 0);
-        if (damping == 0) {
+        if (loss == 0) {
             assertEquals(0, lost, 1e-5);
         } else {
             assertAbove(0.1, lost);
@@ -128,7 +140,7 @@ class RepulsionTest {
         }
         addGravity(system);
         system.addEffect(new Penalty(system.getParticles(), Plane.ground(0.1), 4000, 0));
-        system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
+        system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 5));
         Steps.make(10_000, new RK4Solver(), system, 0.002);
         assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-14);
         for (int i = 1; i < 5; i++) {
@@ -136,35 +148,74 @@ class RepulsionTest {
         }
     }
 
-    /**
-     * Inside an impact the motion is a damped vibration, and every solver converges to it with its order. Measured:
-     * 0.025 off.
-     */
+    /** Inside an impact every solver converges with its order, to what short steps find. Measured: 0.04 off, and 9e-13. */
     @ParameterizedTest
     @MethodSource("deSolvers.catalog.SolverCatalog#all")
     void everySolverConvergesInAnImpact(SolverInfo solver) {
-        double coarse = errorInImpact(solver, 64);
-        double fine = errorInImpact(solver, 128);
+        double[] reference = endInImpact("rk4", 4096);
+        double coarse = distance(endInImpact(solver.name(), 128), reference);
+        double fine = distance(endInImpact(solver.name(), 256), reference);
         if (solver.adaptive()) {
-            assertBelow(1e-7, fine);
+            assertBelow(1e-11, fine);
         } else {
             double order = Math.log(coarse / fine) / Math.log(2);
-            assertEquals(solver.order(), order, 0.2);
+            assertEquals(solver.order(), order, 0.1);
         }
     }
 
-    private static double errorInImpact(SolverInfo solver, int steps) {
-        double damping = 8;
-        double beta = damping / (2 * REDUCED);
-        double omega = Math.sqrt(K / REDUCED - beta * beta);
-        double first = 0.01;
-        double time = 1 / omega;
-        ParticleSystem system = impact(false, damping, first, new Vector3(SPEED, 0, 0));
-        Steps.make(steps, SolverCatalog.create(solver.name()), system, time / steps);
-        double a = Math.exp(-beta * time) * (first * Math.cos(1) + (SPEED + beta * first) / omega * Math.sin(1));
-        double b = Math.exp(-beta * time) * ((SPEED + beta * first) * Math.cos(1) - omega * first * Math.sin(1))
-                - beta * a;
-        return Math.hypot(omega * (overlap(system) - a), entry(system, 3) - entry(system, 9) - b);
+    /** Overlap and speed of approach within an impact. */
+    private static double[] endInImpact(String solver, int steps) {
+        double time = Math.sqrt(REDUCED / K);
+        ParticleSystem system = impact(false, 0.2, 0.01, new Vector3(SPEED, 0, 0));
+        Steps.make(steps, SolverCatalog.create(solver), system, time / steps);
+        return new double[] {overlap(system), entry(system, 3) - entry(system, 9)};
+    }
+
+    private static double distance(double[] a, double[] b) {
+        return Math.hypot(Math.sqrt(K / REDUCED) * (a[0] - b[0]), a[1] - b[1]);
+    }
+
+    /**
+     * The force is continuous and its slope is not, so a method of order 2 keeps its order on the way into an impact.
+     * Measured: 2.02.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"midpoint", "verlet", "implicit-midpoint"})
+    void theFirstTouchCostsNoOrderUpToTwo(String solver) {
+        double sum = 0;
+        for (int k = 0; k < 16; k++) {                  // the touch comes at any part of a step
+            double overlap = -0.03 - 0.0007 * k;
+            double[] exact = endOfTouch("bulirsch-stoer", 4096, overlap);
+            sum += Math.log(distance(endOfTouch(solver, 64, overlap), exact)
+                    / distance(endOfTouch(solver, 256, overlap), exact)) / Math.log(4);
+        }
+        assertEquals(2, sum / 16, 0.1);
+    }
+
+    private static double[] endOfTouch(String solver, int steps, double overlap) {
+        double time = 1.5 * Math.sqrt(REDUCED / K);
+        ParticleSystem system = impact(false, 0.2, overlap, new Vector3(SPEED, 0, 0));
+        Steps.make(steps, SolverCatalog.create(solver), system, time / steps);
+        return new double[] {overlap(system), entry(system, 3) - entry(system, 9)};
+    }
+
+    /**
+     * A ball falls on a fixed one; a law that began with c v had no solution in some steps, the more often the shorter
+     * they were.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"backward-euler", "linearised-euler", "implicit-midpoint", "radau"})
+    void implicitSolversFindEveryTouch(String solver) {
+        for (double deltaT = 0.001; deltaT > 1e-4; deltaT /= 2) {
+            for (int k = 0; k < 12; k++) {
+                double height = 0.21 + 0.03 * k;
+                ShortRun run = ShortRun.of(solver + " clamp " + deltaT + " 0.5", """
+                        particles: [{id: f, position: [0, 0, 0], fixed: true}, {id: b, position: [0, %s, 0]}]
+                        effects: [gravity, repulsion: {radius: 0.1, stiffness: 1000, loss: 0.5}]
+                        """.formatted(height));
+                assertBetween(0.15, height, run.at(7));
+            }
+        }
     }
 
     /** Balls of many sizes in a cloud, two of them fixed. */
