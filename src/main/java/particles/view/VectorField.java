@@ -4,7 +4,8 @@ import java.util.stream.IntStream;
 
 /**
  * The vector field ds/dt of one degree of freedom over its state space: the arrows on the slide "Vectors show the
- * vector field" for s = (x, v). Arrow k stands at (x[k], v[k]) and points along (v[k], dv[k]).
+ * vector field" for s = (x, v). Arrow k stands at (x[k], v[k]) and points along (v[k], dv[k]). The arrows fill a grid of
+ * equal cells, row by row, from the lowest x and v.
  *
  * @param x  positions (m)
  * @param v  velocities (m/s)

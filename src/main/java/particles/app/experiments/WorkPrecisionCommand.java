@@ -60,7 +60,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     .first(SHOWN));
             pictures.add(Picture.of(solved.name() + "-time", caption
                     + " CPU time in the fastest round, as other work on the machine only makes a round slower; bars go"
-                    + " to the median of five." + FAILURES,
+                    + " to the median of five. At the curves: the last error." + FAILURES,
                     WorkCharts.byTime(curves)).first(SHOWN));
         }
         progress.reached(1, "the lecture's exercise");

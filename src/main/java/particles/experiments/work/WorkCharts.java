@@ -58,7 +58,7 @@ public final class WorkCharts {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
             series.add(Series.of(curve.look(), curve.label(), Mark.LINE_AND_POINTS, curve.points(), Point::fastest,
-                    Point::error));
+                    Point::error).ending(curve.problem().errorAxis()));
             series.add(Series.of(curve.look(), curve.label(), Mark.BARS, curve.points().stream().flatMap(p -> Stream.of(
                     new double[] {p.fastest(), p.error()}, new double[] {p.median(), p.error()},
                     new double[] {Double.NaN, Double.NaN})).toList()));         // a gap after each bar

@@ -63,9 +63,9 @@ public final class ChartStyle {
     private ChartStyle() {
     }
 
-    /** @return the same colour, translucent: 0 is not seen, 255 is the colour itself */
-    static Color pale(Color colour, int opacity) {
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), opacity);
+    /** @return the same colour, translucent */
+    static Color pale(Color colour) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 90);
     }
 
     /** @return the line of a look's variant */

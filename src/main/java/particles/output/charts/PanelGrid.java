@@ -18,11 +18,7 @@ public final class PanelGrid extends Plot {
     private static final int ROUND_CELL = 360;
     /** There is room for the names of rows and of lines, too. */
     private static final int CELL = 720;
-    private static final int LEAST_WIDTH = 1100;
     private static final double HEIGHT_OF_WIDTH = 0.6;
-    /** Taller maps are narrower than their cells, and stand beside each other. */
-    private static final double TALLEST = 2.4;
-    private static final double TALL = 1.5;
     /** The height of a panel's title, answer and axis. */
     private static final int HEAD_AND_AXIS = 100;
     /** The height of the title of all, and that of the legend. */
@@ -41,7 +37,7 @@ public final class PanelGrid extends Plot {
 
     /** @return the number of panels in a row; rows are full if possible */
     static int columns(int panels) {
-        return panels <= 3 ? panels : panels % 4 == 0 && panels > 4 ? 4 : panels % 3 == 0 || panels > 4 ? 3 : 2;
+        return panels < 4 ? panels : panels % 4 == 0 ? 4 : 3;
     }
 
     /**
@@ -59,17 +55,14 @@ public final class PanelGrid extends Plot {
         boolean round = plots.stream().allMatch(ChartPlot::isRound);
         double shape = plots.get(0).getRangeAxis().getRange().getLength()
                 / plots.get(0).getDomainAxis().getRange().getLength();
-        int columns = right > 0 ? Math.min(2, panels.size())
-                : round && shape > TALL ? panels.size() : columns(panels.size());
-        int width = Math.max(LEAST_WIDTH, columns * (round ? ROUND_CELL : CELL));
-        double cell = (double) width / columns;
+        int columns = right > 0 ? Math.min(2, panels.size()) : columns(panels.size());
+        int cell = round ? ROUND_CELL : CELL;
         int[] named = panels.stream().mapToInt(panel -> panel.charts().stream().mapToInt(Charts::heightOfRows).sum())
                 .toArray();
-        double high = largest(named) + (round ? Math.min(TALLEST, shape) * (cell - left) + HEAD_AND_AXIS
-                : HEIGHT_OF_WIDTH * cell);
+        double high = largest(named) + (round ? shape * (cell - left) + HEAD_AND_AXIS : HEIGHT_OF_WIDTH * cell);
         PanelGrid grid = new PanelGrid(charts, columns, named);
         LegendTitle legend = Charts.legend(plots, format);
-        return Charts.page(Charts.titled(title, "", grid, false, format), legend, width,
+        return Charts.page(Charts.titled(title, "", grid, false, format), legend, columns * cell,
                 (int) (grid.rows() * high) + (Charts.isEmpty(legend) ? LINE : 2 * LINE));
     }
 

@@ -5,8 +5,6 @@ import java.awt.Graphics2D;
 import java.awt.Paint;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
-import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.stream.IntStream;
 import org.jfree.chart.annotations.XYAnnotation;
 import org.jfree.chart.annotations.XYPointerAnnotation;
@@ -70,8 +68,10 @@ final class PhasePlot {
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
     private static void addField(ChartPlot plot, VectorField field, Paint colour) {
-        double cellX = spacing(field.x());
-        double cellV = spacing(field.v());
+        int last = field.x().length - 1;
+        double cellX = field.x()[1] - field.x()[0];
+        long rows = (last + 1) / Math.round(1 + (field.x()[last] - field.x()[0]) / cellX);
+        double cellV = (field.v()[last] - field.v()[0]) / (rows - 1);
         double time = IntStream.range(0, field.x().length).mapToDouble(k -> Math.min(cellX / Math.abs(field.v()[k]),
                 cellV / Math.abs(field.dv()[k]))).min().orElse(0);
         VectorSeries arrows = new VectorSeries("field");
@@ -85,22 +85,14 @@ final class PhasePlot {
         renderer.setSeriesPaint(0, colour);
         plot.setDataset(1, data);
         plot.setRenderer(1, renderer);
-        show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
-        show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
+        show((NumberAxis) plot.getDomainAxis(), field.x()[0] - cellX / 2, field.x()[last] + cellX / 2);
+        show((NumberAxis) plot.getRangeAxis(), field.v()[0] - cellV / 2, field.v()[last] + cellV / 2);
         plot.setRanges();
     }
 
-    /** The smallest distance between two different grid lines. */
-    private static double spacing(double[] values) {
-        double[] sorted = Arrays.stream(values).sorted().distinct().toArray();
-        return IntStream.range(1, sorted.length).mapToDouble(k -> sorted[k] - sorted[k - 1]).min()
-                .orElse(Double.POSITIVE_INFINITY);
-    }
-
-    private static void show(NumberAxis axis, double[] values, double margin) {
-        DoubleSummaryStatistics all = Arrays.stream(values).summaryStatistics();
-        axis.setRange(all.getMin() - margin, all.getMax() + margin);
-        Axes.setTicks(axis, axis.getRange().getLength() / TICKS);
+    private static void show(NumberAxis axis, double low, double high) {
+        axis.setRange(low, high);
+        Axes.setTicks(axis, (high - low) / TICKS);
     }
 
     /** The head of an arrow at a state of a path, which points to the next one; its size is in pixels. */

@@ -17,7 +17,7 @@ final class SeriesRenderer {
     }
 
     /**
-     * @param path   whether dense lines let shine through also what is below the first one
+     * @param path   whether they are paths in state space; dense ones let shine through what is below
      * @param format the format of the picture
      */
     static XYLineAndShapeRenderer of(List<Series> series, boolean path, ChartFormat format) {
@@ -34,8 +34,7 @@ final class SeriesRenderer {
         for (int k = 0; k < series.size(); k++) {
             Series one = series.get(k);
             Mark mark = one.mark();
-            boolean dense = mark == Mark.LINE && (path || k > 0)
-                    && (Series.isDense(one.x()) || Series.isDense(one.y()));
+            boolean dense = path && mark == Mark.LINE && (Series.isDense(one.x()) || Series.isDense(one.y()));
             boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
             boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
             Color colour = format.on(new Color((failed ? Look.FAILURE : looks.get(k)).rgb()));
@@ -43,8 +42,7 @@ final class SeriesRenderer {
             int variant = looks.get(k).variant();
             renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.BARS || mark == Mark.BAND);
             renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
-            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(colour, 150)
-                    : mark == Mark.BAND ? ChartStyle.pale(colour, 90) : colour);
+            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
             renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
                     : mark == Mark.BAND ? ChartStyle.BAND : ChartStyle.stroke(variant));
             renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE

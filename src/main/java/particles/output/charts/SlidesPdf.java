@@ -5,6 +5,7 @@ import com.lowagie.text.FontFactory;
 import com.lowagie.text.Rectangle;
 import com.lowagie.text.pdf.BaseFont;
 import com.lowagie.text.pdf.DefaultFontMapper;
+import com.lowagie.text.pdf.FontMapper;
 import com.lowagie.text.pdf.PdfGraphics2D;
 import com.lowagie.text.pdf.PdfWriter;
 import java.awt.Font;
@@ -17,27 +18,19 @@ import java.util.stream.Stream;
  * are outlines, since the fonts of every PDF reader lack a minus sign.
  */
 final class SlidesPdf {
-    /** The folders of fonts are searched once. */
-    private static final class Fonts extends DefaultFontMapper {
-        static final Fonts FOUND = new Fonts();
-        final boolean areFound;
-
-        private Fonts() {
-            FontFactory.registerDirectories();
-            areFound = Stream.of(ChartStyle.TITLE, ChartStyle.LABEL)
-                    .allMatch(font -> FontFactory.isRegistered(font.getFontName()));
-        }
-
-        @Override
-        public BaseFont awtToPdf(Font font) {
-            return FontFactory.getFont(font.getFontName(), BaseFont.IDENTITY_H, BaseFont.EMBEDDED).getBaseFont();
-        }
-    }
-
     private SlidesPdf() {
     }
 
     static byte[] of(List<ChartPage> pages) {
+        FontFactory.registerDirectories();
+        boolean found = Stream.of(ChartStyle.TITLE, ChartStyle.LABEL)
+                .allMatch(font -> FontFactory.isRegistered(font.getFontName()));
+        FontMapper fonts = new DefaultFontMapper() {
+            @Override
+            public BaseFont awtToPdf(Font font) {
+                return FontFactory.getFont(font.getFontName(), BaseFont.IDENTITY_H, BaseFont.EMBEDDED).getBaseFont();
+            }
+        };
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         Rectangle size = new Rectangle(ChartFormat.SLIDE_WIDTH, ChartFormat.SLIDE_HEIGHT);
         Document document = new Document(size);
@@ -46,7 +39,7 @@ final class SlidesPdf {
         for (ChartPage page : pages) {
             document.newPage();                         // does nothing on the first page, which is still empty
             PdfGraphics2D g = new PdfGraphics2D(writer.getDirectContent(), size.getWidth(), size.getHeight(),
-                    Fonts.FOUND, !Fonts.FOUND.areFound, false, 0);
+                    fonts, !found, false, 0);
             double scale = size.getWidth() / page.width();
             g.scale(scale, scale);
             page.drawing().accept(g);

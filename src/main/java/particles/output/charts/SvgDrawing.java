@@ -1,11 +1,11 @@
 package particles.output.charts;
 
 import java.awt.Dimension;
-import java.awt.image.BufferedImage;
 import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
+import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.DefaultExtensionHandler;
@@ -16,7 +16,6 @@ import org.w3c.dom.DOMImplementation;
 import org.w3c.dom.Element;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
-import particles.output.files.PngEncoder;
 
 /** A drawing as a vector graphic; its text is text, so that it can be searched and edited. */
 final class SvgDrawing {
@@ -25,10 +24,7 @@ final class SvgDrawing {
         @Override
         public void encodeImage(RenderedImage image, OutputStream out) throws SVGGraphics2DIOException {
             try {
-                int width = image.getWidth();
-                int height = image.getHeight();
-                out.write(PngEncoder.file(width, height,
-                        ((BufferedImage) image).getRGB(0, 0, width, height, null, 0, width)));
+                ImageIO.write(image, "png", out);
             } catch (IOException e) {
                 throw new SVGGraphics2DIOException(e.getMessage(), e);
             }

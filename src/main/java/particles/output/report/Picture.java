@@ -84,11 +84,6 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return !hasData() && drawn.isEmpty();
     }
 
-    /** @return the type of its file */
-    String type() {
-        return isAnimation() ? "gif" : "png";
-    }
-
     boolean hasData() {
         return !panels.isEmpty();
     }

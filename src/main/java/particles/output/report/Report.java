@@ -2,6 +2,7 @@ package particles.output.report;
 
 import com.samskivert.mustache.Mustache;
 import com.samskivert.mustache.Template.Fragment;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
@@ -12,6 +13,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import javax.imageio.ImageIO;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
@@ -65,7 +67,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{^repeated}}
             <figure id="{{task}}-{{file}}"{{#look}} class="{{.}}"{{/look}}>
             <div class="scroll"><button type="button" title="larger or smaller"><img alt="{{caption}}" \
-            src="data:image/{{type}};base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
+            src="data:image/gif;base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
             <figcaption>{{caption}}</figcaption>
             {{#answers}}
             <p>{{title}}: {{answer}}</p>
@@ -81,14 +83,10 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{/pictures}}
             {{/page}}
             {{#tables}}
-            {{#long}}
-            <p class="printed">Not printed: {{table.title}}; {{rows.size}} rows, in {{table.name}}.csv.</p>
-            <div class="folded">
-            {{/long}}
             <h3>{{table.title}}</h3>
             {{#long}}
             <details>
-            <summary>All {{rows.size}} rows</summary>
+            <summary>All {{rows.size}} rows, also in {{table.name}}.csv</summary>
             {{/long}}
             <div class="table"><table id="{{task}}-{{table.name}}.csv">
             <thead><tr>{{#heads}}<th scope="col"{{#number}} class="number"{{/number}}>\
@@ -102,7 +100,6 @@ public record Report(String title, List<String> text, List<Section> sections, St
             </table></div>
             {{#long}}
             </details>
-            </div>
             {{/long}}
             {{/tables}}
             </section>
@@ -127,7 +124,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
      */
     public record Section(String task, String purpose, Path folder, double seconds, Optional<ResultPage> page,
                           Optional<String> failure) {
-        /** A table with more rows is collapsed, and not printed. */
+        /** A table with more rows is collapsed. */
         private static final int MOST_ROWS = 60;
 
         String heading() {
@@ -161,13 +158,18 @@ public record Report(String title, List<String> text, List<Section> sections, St
         }
     }
 
-    /** Puts a picture in place of the folder that holds it. */
+    /** Puts a picture in place of the folder that holds it, with 256 colours: a third of the size, and as clear. */
     private static void putBytes(Fragment folder, Writer page) {
         Picture picture = (Picture) folder.context();
         Path path = Path.of(folder.execute()).resolve(picture.file());
         try {
-            byte[] file = Files.readAllBytes(path);
-            page.write(Base64.getEncoder().encodeToString(picture.hasData() ? SmallImage.of(file) : file));
+            ByteArrayOutputStream gif = new ByteArrayOutputStream();
+            if (picture.isAnimation()) {
+                Files.copy(path, gif);
+            } else {
+                ImageIO.write(ImageIO.read(path.toFile()), "gif", gif);
+            }
+            page.write(Base64.getEncoder().encodeToString(gif.toByteArray()));
         } catch (IOException e) {
             throw new OutputException(path, "read", e);
         }

@@ -3,8 +3,7 @@ package particles.output.report;
 /** The style sheet and script of a report, for screens, phones and paper. */
 final class ReportStyle {
     /**
-     * The style sheet. On paper two charts fit on a sheet, or one of many parts; none is divided, and tables repeat
-     * their heads.
+     * The style sheet. On paper two charts fit on a sheet, or one of many parts; none is divided.
      */
     static final String CSS = """
             :root { color-scheme: light; }
@@ -21,7 +20,6 @@ final class ReportStyle {
             nav { background: #f3f4f7; padding: 0.8rem 1rem; }
             nav h2 { font-size: 1rem; margin: 0; }
             nav ol { margin: 0.3rem 0 0; padding-left: 1.4rem; }
-            nav li { margin: 0.25rem 0; }
             a { color: #0a4b9c; }
             figure { margin: 1.2rem 0; }
             figure .scroll { overflow-x: auto; }
@@ -47,72 +45,41 @@ final class ReportStyle {
             th[aria-sort=ascending] button::after { content: " \\2191"; color: inherit; }
             th[aria-sort=descending] button::after { content: " \\2193"; color: inherit; }
             summary { cursor: pointer; }
-            .printed { display: none; }
             footer { margin-top: 2rem; color: #555a64; font-size: 0.875rem; }
             @media print {
               @page { margin: 12mm; }
               body { font-size: 10pt; max-width: none; padding: 0; }
               a { color: inherit; text-decoration: none; }
-              section { margin-top: 6mm; padding-top: 3mm; }
-              nav { font-size: 8.5pt; }
-              p { orphans: 3; widows: 3; }
               h1, h2, h3, .task { break-after: avoid; }
-              footer { break-before: avoid; }
               h2, figure, .table, tr { break-inside: avoid; }
-              figure { margin: 2mm 0; }
-              figcaption { margin-top: 0.5mm; font-size: 8.5pt; line-height: 1.3; }
-              figure.animation, .folded { display: none; }
-              .printed { display: block; }
+              figure.animation { display: none; }
               img, button.large img { max-width: 100%; max-height: 108mm; }
               .whole img, .whole button.large img { max-height: 185mm; }
               .table, figure .scroll { overflow: visible; }
               table { font-size: 7.5pt; width: 100%; }
-              thead { display: table-header-group; }
-              th, td { padding: 0.5mm 1.2mm; }
               td.text { min-width: 0; }
               td:first-child { position: static; }
               th button::after, th[aria-sort] button::after { content: ""; }
-            }
-            @media (max-width: 40rem) {
-              body { padding: 0.7rem; }
-              h1 { font-size: 1.35rem; }
-              h2 { font-size: 1.1rem; }
             }
             """;
 
     /** The script, without the two characters that XML requires to be escaped and HTML does not allow escaped. */
     static final String SCRIPT = """
-            (function () {
-              "use strict";
-              function key(row, column, numbers) {
-                var cell = row.cells[column];
-                return numbers ? parseFloat(cell.getAttribute("data-value")) : cell.textContent;
-              }
-              function compare(a, b, numbers, sign) {
-                if (!numbers) { return sign * a.localeCompare(b); }
-                if (isNaN(a) || isNaN(b)) { return (isNaN(a) ? 1 : 0) - (isNaN(b) ? 1 : 0); }
-                if (a === b) { return 0; }
-                return a > b ? sign : -sign;
-              }
-              function sort(button) {
-                var head = button.closest("th");
-                var body = head.closest("table").tBodies[0];
-                var numbers = head.classList.contains("number");
-                var direction = head.getAttribute("aria-sort") === "ascending" ? "descending" : "ascending";
-                Array.from(head.parentNode.cells).forEach(function (other) { other.removeAttribute("aria-sort"); });
-                head.setAttribute("aria-sort", direction);
-                var sign = direction === "ascending" ? 1 : -1;
-                Array.from(body.rows).sort(function (a, b) {
-                  return compare(key(a, head.cellIndex, numbers), key(b, head.cellIndex, numbers), numbers, sign);
-                }).forEach(function (row) { body.appendChild(row); });
-              }
-              document.querySelectorAll("th button").forEach(function (button) {
-                button.addEventListener("click", function () { sort(button); });
-              });
-              document.querySelectorAll("figure button").forEach(function (button) {
-                button.addEventListener("click", function () { button.classList.toggle("large"); });
-              });
-            })();
+            "use strict";
+            document.querySelectorAll("th button").forEach(button => button.onclick = () => {
+              const head = button.closest("th"), body = head.closest("table").tBodies[0];
+              const up = head.getAttribute("aria-sort") !== "ascending", sign = up ? 1 : -1;
+              const text = row => row.cells[head.cellIndex].textContent;
+              const number = row => parseFloat(row.cells[head.cellIndex].dataset.value);
+              const last = x => isNaN(x) ? sign * Infinity : x;
+              head.parentNode.querySelectorAll("th").forEach(other => other.removeAttribute("aria-sort"));
+              head.setAttribute("aria-sort", up ? "ascending" : "descending");
+              Array.from(body.rows).sort((a, b) => sign * (head.className === "number"
+                ? last(number(a)) - last(number(b)) || 0 : text(a).localeCompare(text(b))))
+                .forEach(row => body.append(row));
+            });
+            document.querySelectorAll("figure button").forEach(button =>
+              button.onclick = () => button.classList.toggle("large"));
             """;
 
     private ReportStyle() {

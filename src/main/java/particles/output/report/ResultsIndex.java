@@ -1,8 +1,6 @@
 package particles.output.report;
 
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -12,9 +10,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -51,22 +46,8 @@ public final class ResultsIndex {
             </html>
             """;
 
-    /** The results in a folder: its files, the most interesting first, and their time. */
-    @SuppressWarnings("UnusedMethod")                   // the page's template calls them
-    private record Entry(String folder, List<String> files, FileTime made) {
-        Optional<Link> picture() {
-            return links(ResultsIndex::isPicture).findFirst();
-        }
-
-        List<Link> pages() {
-            return links(file -> file.contains(".") && !file.contains("/") && !file.endsWith(".csv")).toList();
-        }
-
-        private Stream<Link> links(Predicate<String> which) {
-            return files.stream().filter(which).map(file -> new Link(file, Arrays.stream((folder + "/" + file).split(
-                    "/")).map(name -> URLEncoder.encode(name, StandardCharsets.UTF_8).replace("+", "%20"))
-                    .collect(Collectors.joining("/"))));
-        }
+    /** The results in a folder, and their time; its picture is a list of none or one. */
+    private record Entry(String folder, FileTime made, List<Link> picture, List<Link> pages) {
     }
 
     private record Link(String file, String link) {
@@ -76,7 +57,7 @@ public final class ResultsIndex {
     }
 
     /**
-     * Writes the page, unless there are no results that are newer.
+     * Writes the page, if there are results.
      *
      * @param results the folder that holds the folders of results
      * @throws OutputException if it cannot be written
@@ -84,11 +65,20 @@ public final class ResultsIndex {
     public static void update(Path results) {
         Path page = results.resolve(FILE);
         try {
-            List<Entry> entries = entries(results);
-            if (entries.isEmpty() || Files.exists(page)
-                    && Files.getLastModifiedTime(page).compareTo(entries.get(0).made()) > 0) {
+            List<Entry> entries = new ArrayList<>();
+            for (Path folder : folders(results)) {
+                List<Path> files = files(folder);
+                if (!files.isEmpty()) {
+                    entries.add(new Entry(folder.getFileName().toString(), Files.getLastModifiedTime(folder),
+                            links(results, files.stream().filter(file -> has(file, ".gif", ".png")).limit(1)),
+                            links(results, files.stream().filter(file -> file.getParent().equals(folder)
+                                    && !has(file, ".csv", OutputFolder.FRAMES)))));
+                }
+            }
+            if (entries.isEmpty()) {
                 return;
             }
+            entries.sort(Comparator.comparing(Entry::made).reversed().thenComparing(Entry::folder));
             Path part = Files.createTempFile(results, ".index", ".part");       // two programs may write at once
             Files.writeString(part, Html.fill(PAGE, Map.of("entries", entries)));
             Files.move(part, page, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
@@ -97,34 +87,35 @@ public final class ResultsIndex {
         }
     }
 
-    /** Lists the folders that the program made. */
-    private static List<Entry> entries(Path results) throws IOException {
-        if (!Files.isDirectory(results)) {
-            return List.of();
+    /** Lists the files that the program made in a folder and, of a report, in the folders of its parts. */
+    private static List<Path> files(Path folder) throws IOException {
+        List<Path> files = new ArrayList<>();
+        for (String name : OutputFolder.made(folder)) {
+            files.add(folder.resolve(name));
         }
-        List<Entry> entries = new ArrayList<>();
-        for (Path folder : folders(results)) {
-            List<String> files = new ArrayList<>(OutputFolder.made(folder));
-            if (!files.isEmpty()) {
-                for (Path part : folders(folder)) {             // of a report
-                    OutputFolder.made(part).stream().filter(ResultsIndex::isPicture)
-                            .forEach(file -> files.add(part.getFileName() + "/" + file));
-                }
-                entries.add(new Entry(folder.getFileName().toString(), files, Files.getLastModifiedTime(folder)));
+        if (!files.isEmpty()) {
+            for (Path part : folders(folder)) {
+                files.addAll(files(part));
             }
         }
-        entries.sort(Comparator.comparing(Entry::made).reversed().thenComparing(Entry::folder));
-        return entries;
+        return files;
     }
 
     private static List<Path> folders(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
         try (Stream<Path> all = Files.list(folder)) {
             return all.filter(Files::isDirectory).sorted().toList();
         }
     }
 
-    private static boolean isPicture(String file) {
-        return file.endsWith(".gif") || file.endsWith(".png");
+    private static List<Link> links(Path results, Stream<Path> files) {
+        return files.map(file -> new Link(file.getFileName().toString(),
+                results.toUri().relativize(file.toUri()).toASCIIString())).toList();
     }
 
+    private static boolean has(Path file, String... endings) {
+        return Arrays.stream(endings).anyMatch(file.toString()::endsWith);
+    }
 }

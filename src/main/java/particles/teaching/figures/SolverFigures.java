@@ -72,6 +72,7 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
             }
         }
         work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
+        Axis error = Axis.log("error after 8 s", "");
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
                 Panel.of(name + ": error against deltaT", List.of(new Chart(Axis.log("deltaT", "s"),
                         Axis.log("error after 2 s", ""), List.of(series(name, Mark.LINE_AND_POINTS, order.points())))))
@@ -81,7 +82,7 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
                         ENERGY, energies.stream().map(one -> one.ending(Digits.few(Arrays.stream(one.y()).max()
                         .orElse(Double.NaN), 2))).toList()))),
                 Panel.of(name + ": error against work", List.of(new Chart(Axis.log("evaluations of the derivative", ""),
-                        Axis.log("error after 8 s", ""), work))));
+                        error, work.stream().map(one -> one.ending(error)).toList()))));
     }
 
     private static Series series(String name, Mark mark, List<double[]> points) {

@@ -198,7 +198,7 @@ class ChartLookTest {
 
     @Test
     void gridsHaveFullRowsWhereThatIsPossible() {
-        assertEquals(List.of(1, 2, 3, 2, 3, 3, 3, 4, 3), IntStream.rangeClosed(1, 9).mapToObj(PanelGrid::columns)
+        assertEquals(List.of(1, 2, 3, 4, 3, 3, 3, 4, 3), IntStream.rangeClosed(1, 9).mapToObj(PanelGrid::columns)
                 .toList());
     }
 }

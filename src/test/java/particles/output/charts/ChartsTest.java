@@ -220,7 +220,7 @@ class ChartsTest {
                 Series line = series(look("rk4"), "rk4", y);
                 XYPlot plot = path(chart(false, new Series(line.look(), "rk4", Mark.LINE, line.x(), line.y())),
                         Optional.empty());
-                assertEquals(turns == 130 ? ChartStyle.pale(strong, 150) : strong, plot.getRenderer().getSeriesPaint(0),
+                assertEquals(turns == 130 ? ChartStyle.pale(strong) : strong, plot.getRenderer().getSeriesPaint(0),
                         turns + " turns of " + y.length + " states");
             }
         }
