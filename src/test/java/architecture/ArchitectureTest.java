@@ -49,8 +49,8 @@ class ArchitectureTest {
                                            particles.app.run particles.app.student particles.output.files
                                            particles.output.report
             particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
-                                           particles.output.charts particles.output.files particles.spec.messages
-                                           picocli
+                                           particles.output.charts particles.output.files particles.spec
+                                           particles.spec.messages picocli
             particles.app.course:          particles.app.cli particles.app.student particles.output.charts
                                            particles.output.files particles.output.frames particles.output.report
                                            particles.spec particles.spec.messages particles.teaching
@@ -58,12 +58,14 @@ class ArchitectureTest {
                                            org.apache.commons picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
-                                           particles.experiments.lecture particles.experiments.phase
+                                           particles.experiments.grid particles.experiments.lecture
+                                           particles.experiments.phase
                                            particles.experiments.race particles.experiments.runs
                                            particles.experiments.stability particles.experiments.work particles.law
                                            particles.output.animation particles.output.charts particles.output.files
                                            particles.output.frames particles.output.report particles.scene
-                                           particles.scene.format particles.spec.messages particles.view picocli
+                                           particles.scene.format particles.spec particles.spec.messages particles.view
+                                           org.apache.commons picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy particles.engine
                                            particles.experiments.phase particles.experiments.runs particles.lab
@@ -85,6 +87,10 @@ class ArchitectureTest {
             particles.engine:              deSolvers particles.law
             particles.experiments.energy:  deSolvers.text particles particles.energy particles.experiments.runs
                                            particles.scene particles.scene.format particles.view
+            particles.experiments.grid:    deSolvers.catalog deSolvers.text particles particles.energy
+                                           particles.experiments.runs particles.experiments.stability particles.law
+                                           particles.scene particles.scene.format particles.spec
+                                           particles.spec.messages particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.runs particles.experiments.stability particles.view
             particles.experiments.phase:   deSolvers.text particles particles.experiments.runs particles.law

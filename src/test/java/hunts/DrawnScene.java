@@ -1,6 +1,6 @@
 package hunts;
 
-import static particles.spec.Ordered.map;
+import static particles.spec.JsonText.map;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;

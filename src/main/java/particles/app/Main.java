@@ -28,6 +28,7 @@ import particles.app.experiments.ReportCommand;
 import particles.app.experiments.StabilityCommand;
 import particles.app.experiments.StiffClothCommand;
 import particles.app.experiments.StiffGalleryCommand;
+import particles.app.experiments.SweepCommand;
 import particles.app.experiments.WorkPrecisionCommand;
 import particles.app.run.GalleryCommand;
 import particles.app.run.LabCommand;
@@ -95,7 +96,7 @@ public final class Main {
         List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, stop),
                 new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
         commands.addAll(experiments);
-        commands.addAll(List.of(new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
+        commands.addAll(List.of(new SweepCommand(), new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
                 new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises()),

@@ -13,7 +13,6 @@ import particles.energy.EnergyLedgerRecorder;
 import particles.lab.Frame.Structure;
 import particles.scene.Scene;
 import particles.spec.JsonText;
-import particles.spec.Ordered;
 
 /** A run recorded for the lab's page, which shows it without computing anything. */
 public final class Replay {
@@ -81,7 +80,7 @@ public final class Replay {
         Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));
-        return JsonText.compact(Ordered.map("facts", facts,
+        return JsonText.compact(JsonText.map("facts", facts,
                 "ids", structures.keySet().stream().map(structure -> List.of(structure.ids())).toList(),
                 "lengths", structures.keySet().stream().map(structure -> structure.numbers().length).toList(),
                 "times", frames.stream().map(Frame::time).toList(),

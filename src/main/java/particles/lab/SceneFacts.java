@@ -10,7 +10,7 @@ import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.spec.Ordered;
+import particles.spec.JsonText;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
@@ -35,7 +35,7 @@ final class SceneFacts {
         SceneDescription description = scene.description();
         Scenery scenery = scene.scenery();
         SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
-        Map<String, Object> facts = Ordered.map("title", description.title(),
+        Map<String, Object> facts = JsonText.map("title", description.title(),
                 "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
                 "energies", frames.getEnergyNames(), "uniform", frames.getUniform(),
@@ -65,9 +65,9 @@ final class SceneFacts {
 
     private static Map<String, Object> look(RenderOptions look) {
         ParticleStyle style = look.style();
-        Map<String, Object> marks = Ordered.map();
+        Map<String, Object> marks = JsonText.map();
         style.marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
-        return Ordered.map("particles", name(look.particles()), "springs", name(look.springs()),
+        return JsonText.map("particles", name(look.particles()), "springs", name(look.springs()),
                 "radius", look.particleRadius(), "strainRange", look.strainRange(), "colours",
                 List.of(look.colours().particle(), look.colours().fixed(), look.colours().front(),
                 look.colours().back()),
@@ -78,7 +78,7 @@ final class SceneFacts {
     }
 
     private static Map<String, Object> mark(ParticleMark mark) {
-        Map<String, Object> facts = Ordered.map("radius", mark.radius(), "label", mark.label());
+        Map<String, Object> facts = JsonText.map("radius", mark.radius(), "label", mark.label());
         mark.colour().ifPresent(colour -> facts.put("colour", colour));
         mark.trail().ifPresent(trail -> facts.put("trail", trail));
         return facts;

@@ -34,7 +34,6 @@ import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverDescription.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.JsonText;
-import particles.spec.Ordered;
 import particles.spec.messages.InvalidInputException;
 
 /**
@@ -65,7 +64,7 @@ public final class Session {
      * @return the catalogue's solvers and, unless the scene has mistakes, what is told of its start, as JSON
      */
     public String opening(String file, String text, String solver) {
-        Map<String, Object> told = Ordered.map("solvers", SolverCatalog.all().stream().map(one -> Map.of(
+        Map<String, Object> told = JsonText.map("solvers", SolverCatalog.all().stream().map(one -> Map.of(
                 "name", one.name(), "adaptive", one.adaptive(), "sentence", one.sentence(),
                 "evaluations", one.evaluations())).toList(), "facts", open(file, text, solver, "", 0));
         if (run != null) {
@@ -217,7 +216,7 @@ public final class Session {
     public String status() {
         Frame.Account account = shown.account();
         double reached = system().getTime();
-        return JsonText.compact(Ordered.map("time", shown.time(), "reached", reached, "steps", account.steps(),
+        return JsonText.compact(JsonText.map("time", shown.time(), "reached", reached, "steps", account.steps(),
                 "evaluations", account.evaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
                 "work", account.work(), "over", run.isOver() && shown.time() >= reached, "failure", failure));
     }

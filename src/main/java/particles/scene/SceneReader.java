@@ -11,6 +11,7 @@ import particles.scene.parts.NamedFiles;
 import particles.scene.parts.NamedFiles.NamedFile;
 import particles.spec.ClassNames;
 import particles.spec.Reading;
+import particles.spec.Setting;
 import particles.spec.SourceText;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
@@ -42,7 +43,12 @@ public final class SceneReader {
      * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(Path file, ClassNames classes) {
-        return read(nameOf(file), bytes(file), classes, beside(file));
+        return read(file, classes, List.of());
+    }
+
+    /** The same, with these values in place of the file's own. */
+    public static SceneDescription read(Path file, ClassNames classes, List<Setting> settings) {
+        return read(nameOf(file), bytes(file), classes, beside(file), settings);
     }
 
     /** @return finds the files in the folder of a scene */
@@ -112,10 +118,23 @@ public final class SceneReader {
      * @param files finds the files that are not in the scene itself
      */
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes, NamedFiles files) {
+        return read(source, bytes, classes, files, List.of());
+    }
+
+    private static SceneDescription read(String source, byte[] bytes, ClassNames classes, NamedFiles files,
+            List<Setting> settings) {
         Problems problems = new Problems();
-        return SceneFormat.SCENE.read(bytes, new Reading(source, problems, classes))
+        return SceneFormat.SCENE.read(bytes, settings, new Reading(source, problems, classes))
                 .flatMap(values -> SceneChecks.describe(values, files, problems))
                 .orElseThrow(() -> new InvalidInputException(problems.lines()));
+    }
+
+    /** @return the unit of a number that is set in a scene; empty if what is set is no number, or has no unit */
+    public static String unit(Path file, ClassNames classes, Setting setting) {
+        Reading in = new Reading(nameOf(file), new Problems(), classes);
+        SceneFormat.SCENE.read(bytes(file), List.of(setting), in);
+        return in.numbers().stream().filter(number -> number.place().equals(setting.getPlace())).map(
+                Reading.NumberInText::unit).findFirst().orElse("");
     }
 
     /** @return the numbers in a scene's text, in the order in which they are read; of what has mistakes, the others */

@@ -3,6 +3,7 @@ package particles.spec;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -43,6 +44,18 @@ public final class JsonText {
      */
     public static Object read(String text) {
         return new Load(LoadSettings.builder().build()).loadFromString(text);
+    }
+
+    /**
+     * @param keysAndValues keys and values in turn
+     * @return a map that keeps their order and can be changed
+     */
+    public static Map<String, Object> map(Object... keysAndValues) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        for (int k = 0; k < keysAndValues.length; k += 2) {
+            map.put((String) keysAndValues[k], keysAndValues[k + 1]);
+        }
+        return map;
     }
 
     /** @param line begins a line of what is around the value; empty without lines */

@@ -55,7 +55,18 @@ public class MappingType implements Type<Values> {
      * @return all values without mistakes; empty if the file is not valid YAML
      */
     public Optional<Values> read(byte[] bytes, Reading in) {
-        return YamlText.compose(bytes, in).flatMap(root -> read(root, label, in.inFormat(this)));
+        return read(bytes, List.of(), in);
+    }
+
+    /** The same, with these values in place of the file's own. */
+    public Optional<Values> read(byte[] bytes, List<Setting> settings, Reading in) {
+        return YamlText.compose(bytes, in).flatMap(root -> {
+            Node changed = root;
+            for (Setting setting : settings) {
+                changed = setting.applyTo(this, changed, in);
+            }
+            return read(changed, label, in.inFormat(this));
+        });
     }
 
     /** {@inheritDoc} Always returns the values that are right; {@link Values#isSound()} says whether all are. */

@@ -57,7 +57,8 @@ final class YamlText {
     }
 
     private static Optional<Node> compose(String text, Reading in) {
-        LoadSettings settings = LoadSettings.builder().setSchema(new CoreSchema()).setCodePointLimit(Integer.MAX_VALUE)
+        LoadSettings settings = LoadSettings.builder().setLabel(in.source()).setSchema(new CoreSchema())
+                .setCodePointLimit(Integer.MAX_VALUE)
                 .setAllowNonScalarKeys(true)            // refused by our own message
                 .build();
         int before = in.problems().count();

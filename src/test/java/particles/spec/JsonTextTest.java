@@ -24,7 +24,7 @@ class JsonTextTest {
                   "flag" : true,
                   "none" : [ ]
                 }
-                """, JsonText.of(Ordered.map("numbers", List.of(3.0, -0.0, 0.1, 1e30, Double.NaN,
+                """, JsonText.of(JsonText.map("numbers", List.of(3.0, -0.0, 0.1, 1e30, Double.NaN,
                 Double.NEGATIVE_INFINITY), "flag", true, "none", List.of())));
     }
 

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Set;
 import java.util.function.Supplier;
+import particles.spec.Setting;
 import particles.spec.messages.InvalidInputException;
+import particles.spec.messages.Problems;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -42,6 +44,18 @@ public abstract class ProgramCommand {
         } catch (NoSuchElementException | IllegalArgumentException e) {
             throw wrong(option, e.getMessage());
         }
+    }
+
+    /**
+     * @param option the option that gives values for keys of a scene
+     * @param text   what was typed, {@code KEY = VALUE, KEY = VALUE ...}; may be blank
+     * @return the settings
+     */
+    protected final List<Setting> settings(String option, String text) {
+        Problems problems = new Problems();
+        List<Setting> settings = text.isBlank() ? List.of() : Setting.list(text, style.option(option), problems);
+        problems.throwIfAny();
+        return settings;
     }
 
     /** @return the command's name, which is its task's */

@@ -15,6 +15,9 @@ import picocli.CommandLine.Mixin;
 
 /** A command that runs an experiment: a page in build/out/NAME, and the main table on the screen. */
 public abstract class ExperimentCommand extends ResultsCommand {
+    /** A table with more rows is in the files only. */
+    private static final int MOST_ROWS = 100;
+
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
@@ -28,14 +31,16 @@ public abstract class ExperimentCommand extends ResultsCommand {
     protected abstract ResultPage measure(OutputFolder folder, ProgressListener progress);
 
     @Override
-    public final void run(PrintWriter lines) {
+    public void run(PrintWriter lines) {
         notice().ifPresent(lines::println);
         ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
-        lines.println(page.tables().get(0).title() + ":");
-        TableText.plain(page.tables().get(0)).forEach(lines::println);
-        lines.println();
+        if (page.tables().get(0).rows().size() <= MOST_ROWS) {
+            lines.println(page.tables().get(0).title() + ":");
+            TableText.plain(page.tables().get(0)).forEach(lines::println);
+            lines.println();
+        }
         lines.println("report with pictures and numbers: " + getFolder().resolve(name() + ".md"));
     }
 

@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 
 /** The options of experiments that run a scene with several solvers. */
 final class SceneOptions {
-    private static final Path SCENES = Path.of("scenes");
+    static final Path SCENES = Path.of("scenes");
 
     @Option(names = "--scene", paramLabel = "NAME",
             description = "The scene: a file, or the name or number of one in scenes.")

@@ -55,6 +55,10 @@ public final class RunCommand extends ResultsCommand {
     @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
+    @Option(names = "--set", paramLabel = "KEY=VALUE, ...", description = "Other values for keys of the scene, such as"
+            + " 'springs[0].damping=20, effects.gravity.acceleration=[0, -1.62, 0]'.")
+    private String set = "";
+
     @Option(names = "--threads", paramLabel = "NUMBER",
             description = "How many threads evaluate the forces of a large system (default: one for each processor).")
     private String threads;
@@ -133,7 +137,7 @@ public final class RunCommand extends ResultsCommand {
         name = SceneName.of(file).whole();
         text = new String(bytes, StandardCharsets.UTF_8);
         SceneDescription scene = overrides.applyTo(
-                SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses(), SceneReader.beside(file)));
+                SceneReader.read(file, new StudentClasses(), settings("set", set)));
         OutputDescription output = scene.output();
         boolean film = video != null ? video.equals(OutputDescription.MP4) : output.frames().film();
         description = scene.withOutput(frames ? sized(output.with(true, film)) : output.with(false, false));

@@ -33,7 +33,7 @@ import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
-import particles.spec.Ordered;
+import particles.spec.JsonText;
 import particles.view.Camera;
 import particles.view.Chart;
 import particles.view.Panel;
@@ -75,7 +75,7 @@ final class RunObservers implements AutoCloseable {
      */
     static List<String> files(OutputDescription output, ChartFormat charts, Extras extras) {
         boolean phase = output.phase().isPresent();
-        Map<String, Object> wanted = Ordered.map(OutputFolder.FRAMES, output.frames().drawn() || extras.obj,
+        Map<String, Object> wanted = JsonText.map(OutputFolder.FRAMES, output.frames().drawn() || extras.obj,
                 GifAnimation.FILE, output.frames().animation() > 0, Film.FILE, output.frames().film(),
                 ENERGY + ChartWriter.PNG, output.energy(), PHASE + ChartWriter.PNG, phase,
                 ENERGY + ChartWriter.SVG, charts.svg() && output.energy(),

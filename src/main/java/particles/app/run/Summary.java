@@ -21,7 +21,6 @@ import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.scene.Scene;
 import particles.spec.JsonText;
-import particles.spec.Ordered;
 
 /**
  * The summary of a run, for people and for run.json.
@@ -63,18 +62,18 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
 
     /** @return the text of {@link #FILE}; energies in J, times in s, relative errors in units of the energy scale */
     String json() {
-        Map<String, Object> energies = Ordered.map("start", energy().getStart(), "end", energy().getEnd(),
+        Map<String, Object> energies = JsonText.map("start", energy().getStart(), "end", energy().getEnd(),
                 "scale", recorder.getScale(), "relativeDrift", relative(energy().getEnd() - energy().getStart()),
                 "largestRelativeDrift", relative(energy().getLargestDrift()),
                 "numericalError", books().getNumericalError(),
                 "relativeNumericalError", relative(books().getNumericalError()),
                 "largestRelativeNumericalError", relative(books().getLargestNumericalError()),
                 "work", books().getWork());
-        return JsonText.of(Ordered.map("version", Program.VERSION, "scene", name, "sceneSha256", hash,
+        return JsonText.of(JsonText.map("version", Program.VERSION, "scene", name, "sceneSha256", hash,
                 "solver", scene.description().solver(), "deltaT", simulation().getDeltaT(),
                 "duration", simulation().getDuration(), "endTime", scene.system().getTime(),
                 "steps", simulation().getSteps(), "evaluations", scene.system().getEvaluations(),
-                "secondsTaken", seconds, "energy", energies, "java", Ordered.map(
+                "secondsTaken", seconds, "energy", energies, "java", JsonText.map(
                         "version", Runtime.version().toString(), "vendor", System.getProperty("java.vendor", ""),
                         "machine", System.getProperty("java.vm.name", ""))));
     }

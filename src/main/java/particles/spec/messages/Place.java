@@ -18,9 +18,9 @@ public record Place(String source, int line, int column) implements Comparable<P
         return new Place(source, 0, 0);
     }
 
-    /** @return the place of a parser's mark, or the whole source without one */
+    /** @return the place of a parser's mark, which names its source; the whole source without one */
     public static Place of(String source, Optional<Mark> mark) {
-        return mark.map(m -> new Place(source, m.getLine() + 1, m.getColumn() + 1)).orElse(of(source));
+        return mark.map(m -> new Place(m.getName(), m.getLine() + 1, m.getColumn() + 1)).orElse(of(source));
     }
 
     /** @return the place of a node */

@@ -282,8 +282,8 @@ class RunCommandTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
             --deltat=1                    | unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, \
-            -Psolver, -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pusd, -Pobj, -Pslide, \
-            -Psvg, -Pdark, -Phelp
+            -Psolver, -PdeltaT, -Pduration, -Pset, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pusd, -Pobj, \
+            -Pslide, -Psvg, -Pdark, -Phelp
             --deltaT=soon                 | -PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)
             --deltaT=0,01                 | -PdeltaT: the value is the text '0,01'; a number has a decimal point, not \
             a comma; write 0.01
@@ -293,7 +293,7 @@ class RunCommandTest {
             can have at most 1e10
             --scnee=2 --scene=no-such-scene --deltaT=abc --solver=rk5 --threads=-1 --video=avi --out= \
             | unknown option -Pscnee; did you mean -Pscene? allowed: -Pout, -Pscene, -Psolver, -PdeltaT, -Pduration, \
-            -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pusd, -Pobj, -Pslide, -Psvg, -Pdark, -Phelp \
+            -Pset, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pusd, -Pobj, -Pslide, -Psvg, -Pdark, -Phelp \
             // -Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler ... \
             // -PdeltaT: the value is the text 'abc'; it has to be a number over 0 (s) \
             // -Pthreads: the value is -1; it has to be a whole number from 1 to 64 \

@@ -1,0 +1,198 @@
+package particles.app.experiments;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import particles.app.cli.PrintedProgress;
+import particles.app.student.StudentClasses;
+import particles.experiments.grid.Grid;
+import particles.experiments.grid.Grid.Row;
+import particles.experiments.grid.GridAxis;
+import particles.experiments.grid.GridCharts;
+import particles.experiments.grid.Measure;
+import particles.experiments.grid.SceneGrid;
+import particles.experiments.runs.ProgressListener;
+import particles.output.files.OutputFolder;
+import particles.output.report.Picture;
+import particles.output.report.ResultPage;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.spec.Digest;
+import particles.spec.Setting;
+import particles.spec.messages.Problems;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle sweep}: runs a scene over values of its keys. */
+@Command(name = "sweep", description = "Runs a scene over values of its keys, and charts what is measured of each run.",
+        footer = """
+
+        Measures: x of PARTICLE at the end (or y, z, vx, vy, vz, speed), its min and max;
+          amplitude x of PARTICLE, period x of PARTICLE; error, energy, kinetic energy, energy lost,
+          drift, largest drift, work of FORCE; evaluations, steps, CPU time; first impact, impacts;
+          longest stable deltaT. The last column says how each run ended.
+
+        A run that is in FOLDER is not computed again. On several cores or machines, compute parts and
+        collect them; every command has the same scene, keys, values and measures:
+          S="build/install/desolver/bin/desolver sweep --scene=3"          # after: gradle installDist
+          export JAVA_OPTS=-XX:ActiveProcessorCount=1
+          seq 16 | parallel $S "'--vary=...'" "'--measure=...'" --part={}/16 --out=parts
+          sbatch --wait --array=1-16 --wrap "$S '--vary=...' '--measure=...'
+              --part=\\$SLURM_ARRAY_TASK_ID/16 --out=parts"                # Slurm
+          strategy: {matrix: {part: [1, 2, 3, 4]}}                         # GitHub: --part=${{matrix.part}}/4,
+              # then actions/upload-artifact of the folder 'parts' in each job, and download-artifact in the last
+          $S '--vary=...' '--measure=...' --collect=parts                  # the same bytes as one run
+        """)
+public final class SweepCommand extends ExperimentCommand {
+    private static final int DIGITS = 12;
+
+    @Option(names = "--scene", paramLabel = "NAME", required = true,
+            description = "The scene: a file, or the name or number of one in scenes.")
+    private String wanted;
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE, ...",
+            description = "Other values for keys of the scene, in all runs.")
+    private String set = "";
+
+    @Option(names = "--vary", paramLabel = "KEY = VALUES; ...", required = true, description = "One to three keys and"
+            + " their values: x, curves and panels of the charts. VALUES are a list, or a range such as"
+            + " '0 .. 40 by 5' or '1e-4 .. 1e-1 log 13'.")
+    private String vary;
+
+    @Option(names = "--measure", paramLabel = "MEASURE, ...", required = true, description = "What is measured of each"
+            + " run, such as 'max x of block, energy lost'; a wrong one lists all.")
+    private String measure;
+
+    @Option(names = "--part", paramLabel = "K/N", split = "/",
+            description = "Computes only part K of N, such as 3/16; --collect then makes the results.")
+    private List<Integer> part = List.of(1, 1);
+
+    @Option(names = "--collect", paramLabel = "FOLDER",
+            description = "Makes the results from the rows of all parts in this folder, without a run.")
+    private Optional<Path> collect = Optional.empty();
+
+    private Supplier<List<Setting>> settings;
+    private Supplier<Path> file;
+    private Supplier<Grid> grid;
+    private Supplier<List<Measure>> measures;
+    private Supplier<SceneDescription> scene;
+    private Supplier<SceneGrid> runs;
+
+    @Override
+    protected void read(Mistakes mistakes) {
+        super.read(mistakes);
+        settings = mistakes.value(() -> settings("set", set));
+        file = mistakes.value(() -> SceneFiles.find(SceneOptions.SCENES, wanted));
+        grid = mistakes.value(() -> made("vary", () -> new Grid(GridAxis.list(vary).stream().map(axis ->
+                axis.in(unit(axis))).toList())));
+        measures = mistakes.value(() -> made("measure", () -> Measure.list(measure)));
+        scene = mistakes.value(() -> read(List.of()));
+        runs = mistakes.value(() -> {
+            SceneGrid made = new SceneGrid(this::read, grid.get(), measures.get(), getStyle().option("vary"));
+            scene.get();                                // its own mistakes come first
+            made.checkAxes();
+            made("measure", () -> {
+                made.checkMeasures();
+                return made;
+            });
+            return made;
+        });
+        mistakes.check(() -> {
+            if (part.size() != 2 || part.get(0) < 1 || part.get(0) > part.get(1)) {
+                throw wrong("part", "has to be a part of the points, such as 3/16");
+            }
+            if (collect.isPresent() && part.get(1) > 1) {
+                throw wrong("part", "is for computing; all parts are collected together");
+            }
+            if (collect.isPresent() && !Files.isDirectory(collect.get())) {
+                throw wrong("collect", "'" + collect.get() + "' is not a folder");
+            }
+        });
+    }
+
+    private SceneDescription read(List<Setting> more) {
+        return SceneReader.read(file.get(), new StudentClasses(), Stream.concat(
+                settings.get().stream(), more.stream()).toList());
+    }
+
+    private String unit(GridAxis axis) {
+        return Setting.of(axis.key(), axis.values().get(0), "", new Problems()).map(setting ->
+                SceneReader.unit(file.get(), new StudentClasses(), setting)).orElse("");
+    }
+
+    /** The beginning of the names of the files with rows of this scene, these axes and these measures. */
+    private String rowsName() {
+        String all = String.join("\n", SceneReader.withFiles(file.get(), new StudentClasses()), set,
+                grid.get().axes().stream().map(GridAxis::key).collect(Collectors.joining("\n")),
+                measures.get().stream().map(Measure::name).collect(Collectors.joining("\n")));
+        return "rows-" + Digest.of(all).substring(0, DIGITS);
+    }
+
+    @Override
+    public void run(PrintWriter lines) {
+        if (part.get(1) == 1) {
+            super.run(lines);
+            return;
+        }
+        int rows = compute(new PrintedProgress(lines, System::nanoTime)).size();
+        lines.println(rows + " runs are in " + getFolder() + "; make the results with "
+                + getStyle().option("collect"));
+    }
+
+    @Override
+    public String whenStopped() {
+        return name() + " was stopped; the same command goes on with the runs that are not there yet";
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        List<Row> rows = collect.map(this::collected).orElseGet(() -> compute(progress));
+        GridCharts charts = new GridCharts(grid.get(), measures.get(), rows);
+        String title = scene.get().title();
+        long failed = rows.stream().filter(row -> !row.end().equals(SceneGrid.WHOLE)).count();
+        String text = rows.size() + " runs, " + failed + " of them failed; the last column has the reasons."
+                + (measures.get().size() > charts.drawn().size() ? " Errors are largest distances of a particle at the"
+                + " end from " + SceneGrid.REFERENCE + "." : "");
+        return new ResultPage(name(), title + ", over " + charts.axes(), List.of(text), charts.drawn().stream()
+                .map(one -> Picture.panels(one.name().replaceAll("[^\\w-]+", "-"), one.name() + " over "
+                + charts.axes() + ".", title + ": " + one.name(), charts.panels(one, title))).toList(),
+                List.of(charts.table()));
+    }
+
+    /** The rows of this part, in the order of the points; those that are there are not computed again. */
+    private List<Row> compute(ProgressListener progress) {
+        List<List<String>> points = grid.get().part(part.get(0), part.get(1));
+        String name = rowsName();
+        Map<List<String>, Row> known = RowFile.read(getFolder(), name, grid.get(), measures.get());
+        String mine = name + (part.get(1) == 1 ? "" : "-" + part.get(0) + "of" + part.get(1)) + ".csv";
+        try (RowFile rows = RowFile.open(getFolder().resolve(mine), grid.get(), measures.get(),
+                points.stream().filter(known::containsKey).map(known::get).toList())) {
+            return progress.onAllCores(points, point -> String.join(", ", point), point -> {
+                if (known.containsKey(point)) {
+                    return known.get(point);
+                }
+                Row row = runs.get().run(point);
+                rows.add(row);
+                return row;
+            });
+        }
+    }
+
+    private List<Row> collected(Path folder) {
+        Map<List<String>, Row> known = RowFile.read(folder, rowsName(), grid.get(), measures.get());
+        List<List<String>> points = grid.get().points();
+        List<List<String>> missing = points.stream().filter(point -> !known.containsKey(point)).toList();
+        if (!missing.isEmpty()) {
+            throw wrong("collect", missing.size() + " of " + points.size() + " runs are not in '" + folder
+                    + "', such as " + String.join(", ", missing.get(0)));
+        }
+        return points.stream().map(known::get).toList();
+    }
+}

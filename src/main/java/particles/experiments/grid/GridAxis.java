@@ -1,0 +1,157 @@
+package particles.experiments.grid;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import particles.spec.Setting;
+import particles.view.Axis;
+
+/**
+ * An axis of a grid: a key of the scene and the values that it takes. It is written {@code KEY = VALUE, VALUE ...}, or
+ * as a range: {@code KEY = 0 .. 40 by 5} in equal steps, {@code KEY = 1e-4 .. 1e-1 log 13} as 13 values in a
+ * constant ratio. Several axes are separated by semicolons.
+ *
+ * @param key    the key, as {@link Setting} names it
+ * @param values its values, as in a file
+ * @param log    whether their ratio is constant, so that charts have a logarithmic axis
+ * @param unit   the unit of its values; empty if they have none
+ */
+public record GridAxis(String key, List<String> values, boolean log, String unit) {
+    /** The most axes: x, the curves and the panels of a chart. */
+    public static final int MOST_AXES = 3;
+    /** The most points of a grid. */
+    public static final int MOST_POINTS = 1_000_000;
+    private static final String NUMBER = "\\s*(\\S+)\\s*";
+    private static final Pattern RANGE = Pattern.compile(NUMBER + "\\.\\." + NUMBER + "(?:\\s(by|log)" + NUMBER + ")?");
+    private static final Pattern LIKE_RANGE = Pattern.compile("[^'\"\\[]*\\.\\.[^'\"]*");
+    /** Values in a constant ratio are rounded to this many digits, so that they can be read and typed. */
+    private static final MathContext DIGITS = new MathContext(6);
+
+    /**
+     * @param text axes as they were typed
+     * @return one to three axes
+     * @throws IllegalArgumentException if the text is none
+     */
+    public static List<GridAxis> list(String text) {
+        List<GridAxis> axes = Setting.split(text, ';').stream().map(GridAxis::of).toList();
+        if (axes.size() > MOST_AXES) {
+            throw new IllegalArgumentException(axes.size() + " axes are too many; at most " + MOST_AXES);
+        }
+        if (axes.stream().map(GridAxis::key).distinct().count() < axes.size()) {
+            throw new IllegalArgumentException("an axis appears twice");
+        }
+        double points = axes.stream().mapToDouble(axis -> axis.values.size()).reduce(1, (a, b) -> a * b);
+        if (points > MOST_POINTS) {
+            throw new IllegalArgumentException("that is " + Math.round(points) + " runs; at most " + MOST_POINTS);
+        }
+        return axes;
+    }
+
+    private static GridAxis of(String text) {
+        int equals = text.indexOf('=');
+        String key = equals < 0 ? "" : text.substring(0, equals).strip();
+        String values = text.substring(equals + 1).strip();
+        if (key.isEmpty() || values.isEmpty()) {
+            throw new IllegalArgumentException("'" + text.strip() + "' has to be KEY = VALUE, VALUE ... or"
+                    + " KEY = FIRST .. LAST by STEP");
+        }
+        if (LIKE_RANGE.matcher(values).matches()) {
+            return range(key, values);
+        }
+        List<String> list = Setting.split(values, ',').stream().map(String::strip).toList();
+        if (list.contains("")) {
+            throw new IllegalArgumentException("a value of '" + key + "' is empty");
+        }
+        if (new LinkedHashSet<>(list).size() < list.size()) {
+            throw new IllegalArgumentException("a value of '" + key + "' appears twice");
+        }
+        return new GridAxis(key, list, false, "");
+    }
+
+    private static GridAxis range(String key, String values) {
+        Matcher range = RANGE.matcher(values);
+        if (!range.matches() || range.group(3) == null) {
+            throw new IllegalArgumentException("'" + values + "' is not a range such as 0 .. 40 by 5 or"
+                    + " 1e-4 .. 1e-1 log 13");
+        }
+        BigDecimal first = number(range.group(1));
+        BigDecimal last = number(range.group(2));
+        boolean log = range.group(3).equals("log");
+        BigDecimal by = number(range.group(4));
+        return new GridAxis(key, (log ? ratios(values, first, last, by) : steps(values, first, last, by))
+                .map(GridAxis::digits).toList(), log, "");
+    }
+
+    private static Stream<BigDecimal> steps(String range, BigDecimal first, BigDecimal last, BigDecimal by) {
+        if (by.signum() == 0 || by.signum() != last.subtract(first).signum()) {
+            throw new IllegalArgumentException("in '" + range + "' the step does not lead to the last value");
+        }
+        BigDecimal steps = last.subtract(first).divide(by, 0, RoundingMode.FLOOR);
+        if (steps.compareTo(BigDecimal.valueOf(MOST_POINTS)) > 0) {
+            throw new IllegalArgumentException("'" + range + "' has too many values; at most " + MOST_POINTS);
+        }
+        return IntStream.rangeClosed(0, steps.intValueExact()).mapToObj(k ->
+                first.add(by.multiply(BigDecimal.valueOf(k))));
+    }
+
+    private static Stream<BigDecimal> ratios(String range, BigDecimal first, BigDecimal last, BigDecimal count) {
+        if (first.signum() <= 0 || last.signum() <= 0 || first.compareTo(last) == 0) {
+            throw new IllegalArgumentException("a logarithmic range such as '" + range
+                    + "' has two different ends over 0");
+        }
+        if (count.stripTrailingZeros().scale() > 0 || count.compareTo(BigDecimal.valueOf(2)) < 0
+                || count.compareTo(BigDecimal.valueOf(MOST_POINTS)) > 0) {
+            throw new IllegalArgumentException("in '" + range + "', log has to be followed by the number of values,"
+                    + " from 2 to " + MOST_POINTS);
+        }
+        int n = count.intValueExact() - 1;
+        double ratio = StrictMath.log(last.doubleValue() / first.doubleValue());
+        return IntStream.rangeClosed(0, n).mapToObj(k -> k == 0 ? first : k == n ? last : BigDecimal.valueOf(
+                first.doubleValue() * StrictMath.exp(ratio * k / n)).round(DIGITS));
+    }
+
+    private static BigDecimal number(String text) {
+        try {
+            BigDecimal number = new BigDecimal(text);
+            if (Math.abs(number.scale()) < 100 && number.precision() < 100) {       // else a sum takes for ever
+                return number;
+            }
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("'" + text + "' is not a number", e);
+        }
+        throw new IllegalArgumentException("'" + text + "' has too many digits");
+    }
+
+    /** The shortest digits: 0.05, 20, 1E-12. */
+    private static String digits(BigDecimal value) {
+        BigDecimal shortest = value.signum() == 0 ? BigDecimal.ZERO : value.stripTrailingZeros();
+        return shortest.scale() < 0 && shortest.precision() - shortest.scale() <= 12 ? shortest.toPlainString()
+                : shortest.toString();
+    }
+
+    /** @return the axis with values in this unit */
+    public GridAxis in(String unit) {
+        return new GridAxis(key, values, log, unit);
+    }
+
+    /** @return its values as numbers; empty if one of them is none */
+    Optional<double[]> numbers() {
+        try {
+            return Optional.of(values.stream().mapToDouble(Double::parseDouble).toArray());
+        } catch (NumberFormatException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** @return the axis of a chart */
+    Axis axis() {
+        return new Axis(key, unit, log);
+    }
+}

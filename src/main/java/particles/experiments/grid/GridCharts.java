@@ -1,0 +1,103 @@
+package particles.experiments.grid;
+
+import static particles.view.DataTable.column;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import particles.experiments.grid.Grid.Row;
+import particles.experiments.grid.Measure.Kind;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.DataTable;
+import particles.view.DataTable.Cells;
+import particles.view.Look;
+import particles.view.Panel;
+import particles.view.Series;
+import particles.view.Series.Mark;
+
+/**
+ * The results of a grid as charts and as a table: each measure over the first axis, with a curve for each value of the
+ * second one and a panel for each value of the third.
+ *
+ * @param grid     the axes
+ * @param measures what was measured
+ * @param rows     the results, in any order
+ */
+public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
+
+    /** @return the measures that have a picture */
+    public List<Measure> drawn() {
+        return measures.stream().filter(measure -> measure.kind() != Kind.REFERENCE_ERROR).toList();
+    }
+
+    /**
+     * @param measure one of them
+     * @param title   the scene
+     * @return a panel for each value of the third axis; the only one without it
+     */
+    public List<Panel> panels(Measure measure, String title) {
+        String over = title + ": " + measure.name();
+        if (grid.axes().size() < 3) {
+            return List.of(Panel.of(over, charts(measure, rows)));
+        }
+        GridAxis third = grid.axes().get(2);
+        return third.values().stream().map(value -> Panel.of(over + ", " + third.key() + " = " + value,
+                charts(measure, rows.stream().filter(row -> row.at().get(2).equals(value)).toList())).named(value))
+                .toList();
+    }
+
+    /** The chart, and below it the runs that failed, in a row for each curve. */
+    private List<Chart> charts(Measure measure, List<Row> some) {
+        GridAxis first = grid.axes().get(0);
+        int m = measures.indexOf(measure);
+        List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : grid.axes().get(1).values();
+        Axis y = measure.axis(first.log());
+        List<Series> series = new ArrayList<>();
+        List<Series> failed = new ArrayList<>();
+        for (int c = 0; c < curves.size(); c++) {
+            String curve = curves.get(c);
+            int number = c;
+            Look look = SolverCatalog.find(curve).map(Look::of).orElseGet(() -> Look.number(number));
+            List<Row> own = some.stream().filter(row -> grid.axes().size() < 2 || row.at().get(1).equals(curve))
+                    .toList();
+            series.add(Series.of(look, curve, Mark.LINE_AND_POINTS, own, this::x, row -> row.measured().get(m))
+                    .ending(y));
+            failed.add(Series.of(look, "failed", Mark.FAILURES, own.stream().filter(row ->
+                    !row.end().equals(SceneGrid.WHOLE)).toList(), this::x, row -> number));
+        }
+        if (first.numbers().isEmpty()) {                // its values are rows, and the measure is along x
+            return List.of(new Chart(y, Axis.linear(first.key(), ""), series.stream().map(one -> new Series(one.look(),
+                    one.name(), Mark.POINTS, one.y(), one.x())).toList()).inRows(first.values()));
+        }
+        return new Chart(first.axis(), y, series).named(measure.name().replace(' ', '-'))
+                .above("failed", curves, failed);
+    }
+
+    private double x(Row row) {
+        int k = grid.axes().get(0).values().indexOf(row.at().get(0));
+        return grid.axes().get(0).numbers().map(numbers -> numbers[k]).orElse((double) k);
+    }
+
+    /** @return a row for each result that is there, in the order of the points */
+    public DataTable table() {
+        List<Cells<Row>> cells = new ArrayList<>();
+        IntStream.range(0, grid.axes().size()).forEach(a -> cells.add(column(grid.axes().get(a).axis().label(),
+                row -> row.at().get(a))));
+        IntStream.range(0, measures.size()).forEach(m -> cells.add(column(new Axis(measures.get(m).name(),
+                measures.get(m).unit(), false).label(), row -> cell(measures.get(m), row.measured().get(m)))));
+        cells.add(column("end", Row::end));
+        return DataTable.of("sweep", "Every run", rows, cells);
+    }
+
+    private static Object cell(Measure measure, double value) {
+        return measure.kind().isCount() && !Double.isNaN(value) ? (Object) (long) value : (Object) value;
+    }
+
+    /** @return the axes in words, such as "springs[0].damping and solver" */
+    public String axes() {
+        return String.join(", ", Stream.of(grid.axes()).flatMap(List::stream).map(GridAxis::key).toList());
+    }
+}

@@ -1,0 +1,275 @@
+package particles.spec;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.snakeyaml.engine.v2.common.FlowStyle;
+import org.snakeyaml.engine.v2.common.ScalarStyle;
+import org.snakeyaml.engine.v2.exceptions.Mark;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
+
+/**
+ * A value for a key of a file, given outside it. It is put into the file's tree before that is read, so a wrong one is
+ * reported like a wrong value in the file, with the option as its place.
+ *
+ * <p>The key is the way to it from the top of the file: {@code deltaT}, {@code springs[0].damping} for the first
+ * spring, {@code particles.block.mass} for the particle of this id, {@code effects.gravity.acceleration} for the effect
+ * of this name, which is added if the file has none.
+ */
+public final class Setting {
+    private static final Pattern KEY = Pattern.compile("[\\w-]+(?:\\.[\\w-]+|\\[\\d{1,6}])*");
+    private static final Pattern STEP = Pattern.compile("\\[\\d+]|[\\w-]+");
+    private static final String ID = "id";
+    /** The type of what is below a key that does not exist: nothing there is known, and reading reports the key. */
+    private static final MappingType UNKNOWN = MappingType.of("");
+
+    private final String key;
+    private final String option;
+    private final Node value;
+
+    private Setting(String key, String option, Node value) {
+        this.key = key;
+        this.option = option;
+        this.value = value;
+    }
+
+    /**
+     * @param key      the key
+     * @param value    its value as in a file, in one line
+     * @param option   the option that gives it, such as {@code -Pset}; with the key, the place of all problems
+     * @param problems receives the problems
+     * @return the setting, or empty if a problem was reported
+     */
+    public static Optional<Setting> of(String key, String value, String option, Problems problems) {
+        if (!KEY.matcher(key).matches()) {
+            return problems.add(Place.of(option), Wording.quote(key) + " is not a key such as deltaT,"
+                    + " springs[0].damping or effects.gravity.acceleration");
+        }
+        String place = option + " " + key;
+        if (value.isBlank()) {
+            return problems.add(Place.of(place), "a value is missing: " + key + " = VALUE");
+        }
+        return YamlText.compose(value.getBytes(StandardCharsets.UTF_8), new Reading(place, problems))
+                .map(node -> new Setting(key, place, at(node, mark(place))));
+    }
+
+    /**
+     * Reads settings such as {@code springs[0].damping = 20, effects.gravity.acceleration = [0, -1.62, 0]}.
+     *
+     * @param text     the settings
+     * @param option   the option that gives them
+     * @param problems receives the problems
+     * @return those without a problem
+     */
+    public static List<Setting> list(String text, String option, Problems problems) {
+        List<Setting> settings = new ArrayList<>();
+        for (String one : split(text, ',')) {
+            int equals = one.indexOf('=');
+            if (equals < 0) {
+                problems.add(Place.of(option), Wording.quote(one.strip()) + " has to be KEY = VALUE");
+            } else {
+                of(one.substring(0, equals).strip(), one.substring(equals + 1).strip(), option, problems)
+                        .ifPresent(settings::add);
+            }
+        }
+        return settings;
+    }
+
+    /** @return the parts between separators that stand outside brackets and quotes */
+    public static List<String> split(String text, char separator) {
+        List<String> parts = new ArrayList<>();
+        int depth = 0;
+        int begin = 0;
+        char quote = 0;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (quote != 0 || c == '"' || c == '\'') {
+                quote = quote == 0 ? c : c == quote ? 0 : quote;
+            } else if (c == separator && depth == 0) {
+                parts.add(text.substring(begin, i));
+                begin = i + 1;
+            } else {
+                depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+            }
+        }
+        parts.add(text.substring(begin));
+        return parts;
+    }
+
+    /** @return the place of its value in messages */
+    public Place getPlace() {
+        return Place.of(option);
+    }
+
+    /** @return the tree of a file of this type with this value in it; unchanged if a problem was reported */
+    Node applyTo(MappingType type, Node root, Reading in) {
+        int before = in.problems().count();
+        Node changed = put(type, Optional.of(root), STEP.matcher(key).results().map(MatchResult::group).toList(), in);
+        return in.problems().count() > before ? root : changed;
+    }
+
+    private Node put(Type<?> type, Optional<Node> old, List<String> path, Reading in) {
+        if (path.isEmpty()) {
+            return value;
+        }
+        String step = path.get(0);
+        if (step.startsWith("[") && !(type instanceof KindType)) {
+            return element(type, old, Integer.parseInt(step.substring(1, step.length() - 1)), path, in);
+        }
+        List<String> rest = path.subList(1, path.size());
+        if (type instanceof ListType<?> list) {
+            return named(list, old, step, rest, in);
+        }
+        if (type instanceof KindType<?> kinds && old.isPresent()) {
+            return inKind(kinds, old.get(), path, in);
+        }
+        if (type instanceof MappingType mapping) {
+            Type<?> child = mapping.getKeys().stream().filter(known -> known.name().equals(step))
+                    .<Type<?>>map(Key::type).findFirst().orElse(UNKNOWN);
+            return entry(mapping, old, step, child, rest, in);
+        }
+        return problem(in, "it is " + type.describe() + ", and has no " + Wording.quote(step));
+    }
+
+    /** A mapping with a key changed or added. */
+    private Node entry(MappingType type, Optional<Node> old, String name, Type<?> child, List<String> rest,
+            Reading in) {
+        List<NodeTuple> entries = new ArrayList<>();
+        if (old.isPresent() && old.get() instanceof MappingNode mapping) {
+            entries.addAll(mapping.getValue());
+        } else if (old.isPresent() && type.getShortForm().isPresent()) {
+            entries.add(new NodeTuple(word(type.getShortForm().get().name()), old.get()));
+        }
+        int k = IntStream.range(0, entries.size()).filter(i -> is(entries.get(i).getKeyNode(), name)).findFirst()
+                .orElse(entries.size());
+        Optional<Node> before = k < entries.size() ? Optional.of(entries.get(k).getValueNode()) : Optional.empty();
+        NodeTuple changed = new NodeTuple(word(name), put(child, before, rest, in));
+        if (k < entries.size()) {
+            entries.set(k, changed);
+        } else {
+            entries.add(changed);
+        }
+        return mapping(entries, old.map(Node::getStartMark).orElse(value.getStartMark()));
+    }
+
+    private Node element(Type<?> type, Optional<Node> old, int index, List<String> path, Reading in) {
+        if (!(old.isPresent() && old.get() instanceof SequenceNode list)) {
+            return problem(in, "there is no list for " + path.get(0));
+        }
+        if (index >= list.getValue().size()) {
+            return problem(in, path.get(0) + " does not exist; the last one is [" + (list.getValue().size() - 1)
+                    + "]");
+        }
+        List<Node> items = new ArrayList<>(list.getValue());
+        Type<?> child = type instanceof ListType<?> of ? of.element() : UNKNOWN;
+        items.set(index, put(child, Optional.of(items.get(index)), path.subList(1, path.size()), in));
+        return sequence(items, list.getStartMark());
+    }
+
+    /** The entry of a list that has this id, or is of the kind of this name. */
+    private Node named(ListType<?> type, Optional<Node> old, String name, List<String> rest, Reading in) {
+        List<Node> items = new ArrayList<>(old.isPresent() && old.get() instanceof SequenceNode list ? list.getValue()
+                : List.of());
+        List<Integer> found = IntStream.range(0, items.size()).filter(i -> names(items.get(i)).anyMatch(name::equals))
+                .boxed().toList();
+        if (found.size() > 1) {
+            return problem(in, found.size() + " entries are called " + Wording.quote(name)
+                    + "; give the number of one, from [" + found.get(0) + "]");
+        }
+        if (found.size() == 1) {
+            int k = found.get(0);
+            items.set(k, type.element() instanceof KindType<?> kinds ? inKind(kinds, items.get(k), rest, in)
+                    : put(type.element(), Optional.of(items.get(k)), rest, in));
+        } else if (type.element() instanceof KindType<?> kinds) {
+            items.add(inKind(kinds, word(name), rest, in));
+        } else {
+            List<String> known = items.stream().flatMap(Setting::names).toList();
+            return problem(in, known.isEmpty() ? "the entries of this list have no names; give a number, such as [0]"
+                    : Wording.unknown("entry", name, known, List.of()));
+        }
+        return sequence(items, old.map(Node::getStartMark).orElse(value.getStartMark()));
+    }
+
+    /** An entry that names a kind; its own name may be a step of the path. */
+    private Node inKind(KindType<?> type, Node item, List<String> path, Reading in) {
+        Optional<NodeTuple> first = item instanceof MappingNode mapping ? mapping.getValue().stream().findFirst()
+                : Optional.empty();
+        Node name = first.map(NodeTuple::getKeyNode).orElse(item);
+        List<String> rest = !path.isEmpty() && is(name, path.get(0)) ? path.subList(1, path.size()) : path;
+        Type<?> kind = type.kinds().stream().filter(known -> is(name, known.getName())).<Type<?>>map(known -> known)
+                .findFirst().orElse(UNKNOWN);
+        return mapping(List.of(new NodeTuple(name, put(kind, first.map(NodeTuple::getValueNode), rest, in))),
+                item.getStartMark());
+    }
+
+    /** The names by which an entry of a list can be called: its kind, and its id. */
+    private static Stream<String> names(Node item) {
+        if (item instanceof ScalarNode scalar) {
+            return Stream.of(scalar.getValue());
+        }
+        if (!(item instanceof MappingNode mapping)) {
+            return Stream.empty();
+        }
+        boolean kind = mapping.getValue().size() == 1 && !is(mapping.getValue().get(0).getKeyNode(), ID);
+        return kind ? Stream.concat(Stream.of(mapping.getValue().get(0).getKeyNode()).flatMap(Setting::names),
+                ids(mapping.getValue().get(0).getValueNode())) : ids(mapping);
+    }
+
+    private static Stream<String> ids(Node node) {
+        return node instanceof MappingNode mapping ? mapping.getValue().stream().filter(entry ->
+                is(entry.getKeyNode(), ID)).map(NodeTuple::getValueNode).filter(ScalarNode.class::isInstance)
+                .map(id -> ((ScalarNode) id).getValue()) : Stream.empty();
+    }
+
+    private static boolean is(Node node, String text) {
+        return node instanceof ScalarNode scalar && scalar.getValue().equals(text);
+    }
+
+    private Node problem(Reading in, String message) {
+        in.problems().add(getPlace(), message);
+        return value;
+    }
+
+    private Node word(String text) {
+        return new ScalarNode(Tag.STR, true, text, ScalarStyle.PLAIN, value.getStartMark(), value.getEndMark());
+    }
+
+    private static Node mapping(List<NodeTuple> entries, Optional<Mark> mark) {
+        return new MappingNode(Tag.MAP, true, entries, FlowStyle.FLOW, mark, mark);
+    }
+
+    private static Node sequence(List<Node> items, Optional<Mark> mark) {
+        return new SequenceNode(Tag.SEQ, true, items, FlowStyle.FLOW, mark, mark);
+    }
+
+    /** The place of a whole option. */
+    private static Optional<Mark> mark(String option) {
+        return Optional.of(new Mark(option, 0, -1, -1, new int[0], 0));
+    }
+
+    /** A tree of which every node is at this place. */
+    private static Node at(Node node, Optional<Mark> mark) {
+        if (node instanceof MappingNode mapping) {
+            return mapping(mapping.getValue().stream().map(entry -> new NodeTuple(at(entry.getKeyNode(), mark),
+                    at(entry.getValueNode(), mark))).toList(), mark);
+        }
+        if (node instanceof SequenceNode list) {
+            return sequence(list.getValue().stream().map(item -> at(item, mark)).toList(), mark);
+        }
+        ScalarNode scalar = (ScalarNode) node;
+        return new ScalarNode(scalar.getTag(), true, scalar.getValue(), scalar.getScalarStyle(), mark, mark);
+    }
+}
