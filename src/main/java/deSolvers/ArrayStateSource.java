@@ -22,4 +22,15 @@ public interface ArrayStateSource extends DEStateSource {
      * @param dSdt  receives ds/dt; n long, another array than {@code state}
      */
     void getStateDerivative(double[] state, double[] dSdt);
+
+    /**
+     * Sets the state as {@link #setState}, but takes the array itself where that saves a copy.
+     *
+     * @param state the new state; n long; the caller must not use it any more
+     * @return an array of n arbitrary entries, the caller's from now on: the source's former one, or {@code state}
+     */
+    default double[] exchangeState(double[] state) {
+        setState(state);
+        return state;
+    }
 }

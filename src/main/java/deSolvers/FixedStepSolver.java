@@ -44,7 +44,7 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
             }
-            guarded.finish(s);
+            arrays[0] = guarded.finishWith(s);
         }
     }
 

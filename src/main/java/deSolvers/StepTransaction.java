@@ -99,17 +99,38 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite; the client is then as it was found
      */
     public void finish(double[] newState) {
+        if (isEnded(newState)) {
+            client.setState(newState);
+            open = false;
+        }
+    }
+
+    /** As {@link #finish}, for an array that nobody needs any more; returns another one in its place. */
+    double[] finishWith(double[] newState) {
+        double[] free = newState;
+        if (isEnded(newState)) {
+            if (direct) {
+                free = ((ArrayStateSource) client).exchangeState(newState);
+            } else {
+                client.setState(newState);
+            }
+            open = false;
+        }
+        return free;
+    }
+
+    /** Checks the new state and moves the clock; returns false if deltaT is 0, when close() restores state and time. */
+    private boolean isEnded(double[] newState) {
         if (deltaT == 0) {
             requireFiniteStart();
-            return;                                     // close() restores the state and time
+            return false;
         }
         int entry = firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
         moveTo(startTime + deltaT);                     // first: close() can move it back, but not a state set
-        client.setState(newState);
-        open = false;
+        return true;
     }
 
     /** Moves the clock to a time. The first move may be off by round-off, and a second one is then exact. */

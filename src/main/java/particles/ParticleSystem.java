@@ -220,6 +220,14 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     }
 
     @Override
+    public double[] exchangeState(double[] state) {
+        double[] former = getOwnState();
+        this.state = state;
+        anchors.put(time, state);
+        return former;
+    }
+
+    @Override
     public double getTime() {
         return time;
     }

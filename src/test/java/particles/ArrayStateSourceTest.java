@@ -54,4 +54,20 @@ class ArrayStateSourceTest {
         assertArrayEquals(slow.getStateArray(), fast.getStateArray());
         assertEquals(slow.getEvaluations(), fast.getEvaluations());
     }
+
+    /** A step exchanges arrays with the system; no two systems of a solver may end with the same one. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4"})
+    void systemsOfOneSolverStayApart(String name) {
+        DESolver shared = SolverCatalog.create(name);
+        ParticleSystem first = cloth();
+        ParticleSystem second = cloth();
+        ParticleSystem alone = cloth();
+        for (int step = 0; step < 3; step++) {
+            shared.stepState(first, 0.01);
+            shared.stepState(second, 0.02);
+            SolverCatalog.create(name).stepState(alone, 0.01);
+        }
+        assertArrayEquals(alone.getStateArray(), first.getStateArray());
+    }
 }

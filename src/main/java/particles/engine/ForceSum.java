@@ -123,9 +123,12 @@ public final class ForceSum {
     /** Computes (v, 0) of these particles. */
     private static void putVelocities(double[] state, double[] dSdt, int from, int to) {
         for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
-            dSdt[x] = state[x + 3];
-            dSdt[x + 1] = state[x + 4];
-            dSdt[x + 2] = state[x + 5];
+            double vx = state[x + 3];
+            double vy = state[x + 4];
+            double vz = state[x + 5];
+            dSdt[x] = vx;
+            dSdt[x + 1] = vy;
+            dSdt[x + 2] = vz;
             dSdt[x + 3] = 0;
             dSdt[x + 4] = 0;
             dSdt[x + 5] = 0;

@@ -21,6 +21,8 @@ final class SharedWork {
     /** The caller waits as long as it worked itself, and so much longer, before it sleeps (ns). */
     private static final long PATIENCE = 50_000;
     private static final long SLEEP = 50_000;
+    /** A thread that waits offers its processor to others after this time (ns). */
+    private static final long SPIN = 10_000;
     private static final int FIRST = 1;
     private static final int LAST = 1 << 8;
     private static final int PIECES = 1 << 16;
@@ -79,14 +81,23 @@ final class SharedWork {
     private void await(int pieces, long start) {
         long now = System.nanoTime();
         long latest = now + (now - start) + PATIENCE;
-        while (done.get() < pieces && System.nanoTime() < latest) {
-            Thread.onSpinWait();
+        for (long time = now; done.get() < pieces && time < latest; time = System.nanoTime()) {
+            spin(time - now);
         }
         if (done.get() < pieces) {
             while (done.get() < pieces) {
                 LockSupport.parkNanos(SLEEP);
             }
             delay += System.nanoTime() - now;
+        }
+    }
+
+    /** Waits a moment. After some of them, another thread that has work for this processor gets it. */
+    private static void spin(long waited) {
+        if (waited < SPIN) {
+            Thread.onSpinWait();
+        } else {
+            Thread.yield();
         }
     }
 
@@ -118,12 +129,12 @@ final class SharedWork {
 
         @Override
         public void run() {
-            long latest = System.nanoTime() + STAY;
-            while (System.nanoTime() < latest) {
+            long start = System.nanoTime();             // of the wait for a piece
+            for (long time = start; time - start < STAY; time = System.nanoTime()) {
                 if (takePiece(LAST)) {
-                    latest = System.nanoTime() + STAY;
+                    start = System.nanoTime();
                 } else {
-                    Thread.onSpinWait();
+                    spin(time - start);
                 }
             }
             here = false;
