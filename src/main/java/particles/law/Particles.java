@@ -9,7 +9,7 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * The constant data of all particles: id, mass, whether they are fixed. Positions and velocities are in the state: the
+ * The constant data of all particles: id, mass, radius, whether they are fixed. Positions and velocities are in the state: the
  * position of particle i begins at entry 6 i, its velocity at 6 i + 3.
  */
 public final class Particles {
@@ -19,6 +19,7 @@ public final class Particles {
     private final List<Life> lives = new ArrayList<>();
     private double[] masses = new double[8];
     private double[] inverseMasses = new double[8];
+    private double[] radii = new double[8];
 
     private record Life(String id, double birthTime, double deathTime) {
     }
@@ -54,9 +55,11 @@ public final class Particles {
         if (i == masses.length) {
             masses = Arrays.copyOf(masses, i + i / 2);
             inverseMasses = Arrays.copyOf(inverseMasses, i + i / 2);
+            radii = Arrays.copyOf(radii, i + i / 2);
         }
         lives.add(new Life(id, birthTime, Double.POSITIVE_INFINITY));
         masses[i] = mass;
+        radii[i] = 0;
         inverseMasses[i] = fixed ? 0 : 1 / mass;
         return i;
     }
@@ -66,11 +69,17 @@ public final class Particles {
         lives.set(to, lives.get(from));
         masses[to] = masses[from];
         inverseMasses[to] = inverseMasses[from];
+        radii[to] = radii[from];
     }
 
     /** Sets the times of birth and death of particle i (s). */
     public void setLife(int i, double birthTime, double deathTime) {
         lives.set(i, new Life(id(i), birthTime, deathTime));
+    }
+
+    /** Makes particle i a hard ball of this radius (m). */
+    public void setRadius(int i, double radius) {
+        radii[i] = radius;
     }
 
     /** Removes all particles from this index on. */
@@ -91,6 +100,11 @@ public final class Particles {
     /** @return the mass of particle i (kg), also if it is fixed */
     public double mass(int i) {
         return masses[i];
+    }
+
+    /** @return the radius of particle i (m), if it is a hard ball; 0 for a point */
+    public double radius(int i) {
+        return radii[i];
     }
 
     /** @return whether no force moves particle i */

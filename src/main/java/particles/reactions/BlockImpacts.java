@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -226,9 +225,12 @@ public final class BlockImpacts {
         Row worst = Arrays.stream(block.rows).filter(Row::isContact)
                 .min(Comparator.comparingDouble(row -> row.separation)).orElseThrow();
         int i = worst.movable[0] < 0 ? worst.second : worst.first;
-        String by = Arrays.stream(block.rows).filter(row -> row.moves(i)).map(row -> nameBeside(row, i)).distinct()
-                .collect(Collectors.joining(" and "));
-        return new SimulationException(contacts.getSystem().getTime(), i, "there is no room left between " + by, null);
+        List<String> by = Arrays.stream(block.rows).filter(row -> row.moves(i)).map(row -> nameBeside(row, i))
+                .distinct().toList();
+        String last = by.get(by.size() - 1);
+        return new SimulationException(contacts.getSystem().getTime(), i, "there is no room left "
+                + (by.size() == 1 ? "at " : "between " + String.join(", ", by.subList(0, by.size() - 1)) + " and ")
+                + last, null);
     }
 
     /** What acts on a particle through a row. */

@@ -42,7 +42,6 @@ public final class Collisions implements EventRule {
     private final Particles particles;
     private final BallContacts touching;
     private final Balls balls;
-    private final double largest;
     private final NeighbourGrid grid = new NeighbourGrid();
     private double fast;                                // of all balls, at the last impact (m/s)
     private final Set<List<Integer>> parted = new HashSet<>();  // in this step, as nothing pushed them together
@@ -51,10 +50,10 @@ public final class Collisions implements EventRule {
     /**
      * Hard balls.
      *
-     * @param radii  the radius of each particle (m), positive
+     * @param radius the radius of those that are born during the run (m), positive; others have their own
      * @param bounce the law of impact
      */
-    public record Balls(double[] radii, Bounce bounce) {
+    public record Balls(double radius, Bounce bounce) {
     }
 
     /** A pair of balls. */
@@ -74,7 +73,6 @@ public final class Collisions implements EventRule {
         touching = constraints.balls();
         this.balls = balls;
         impacts.join(this);
-        largest = Arrays.stream(balls.radii).max().orElse(0);
     }
 
     @Override
@@ -149,6 +147,10 @@ public final class Collisions implements EventRule {
         int n = particles.count();
         int[] near = new int[n];
         double farthest = Arrays.stream(moves).max().orElse(0);
+        double largest = 0;
+        for (int i = 0; i < n; i++) {
+            largest = Math.max(largest, particles.radius(i));
+        }
         Set<List<Integer>> links = touching.findLinks();
         grid.build(state, n, (2 * largest + 2 * farthest) * (1 + TOUCHING) + TOUCHING);
         for (int i = 0; i < n; i++) {
@@ -259,7 +261,25 @@ public final class Collisions implements EventRule {
     }
 
     private double reach(int i, int j) {
-        return balls.radii[i] + balls.radii[j];
+        return particles.radius(i) + particles.radius(j);
+    }
+
+    /** Whether a ball can be born at a place. */
+    boolean hasRoom(Vector3 at) {
+        double[] state = system.getOwnState();
+        double least = balls.radius - ExactImpacts.ROUND_OFF * (1 + at.norm1());
+        for (int i = 0; i < particles.count(); i++) {
+            if (Vector3.at(state, STRIDE * i).minus(at).length() < particles.radius(i) + least) {
+                return false;
+            }
+        }
+        double[] place = {at.x(), at.y(), at.z()};
+        return impacts.surfaces.stream().allMatch(surface -> surface.obstacle().distance(place, 0) >= least);
+    }
+
+    /** Makes a ball of a particle that was born. */
+    void addBall(int particle) {
+        particles.setRadius(particle, balls.radius);
     }
 
     private double gap(double[] state, int i, int j) {

@@ -1,5 +1,7 @@
 package particles.rules;
 
+import java.util.Optional;
+import java.util.function.Supplier;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.SimulationException;
@@ -11,17 +13,22 @@ import particles.law.Vector3;
 
 /**
  * A source of particles, such as the nozzle of a fountain. The n-th particle is born n/rate after the beginning of the
- * run, for any deltaT: the loop ends a step there. Places and directions are random and depend on the seed only. Ids
- * are the emitter's id with a number from 0 on that is never reused: {@code fountain[17]} is the 18th.
+ * run, for any deltaT: the loop ends a step there. A hard ball waits for room at its place, and is born at the end of a
+ * step. Places and directions are random and depend on the seed only. Ids are the emitter's id with a number from 0 on
+ * that is never reused: {@code fountain[17]} is the 18th.
  */
 public final class Emitter implements Rule {
     /** Births within this fraction of a step after its end happen at the end. */
     private static final double ROUNDING = 1e-6;
 
     private final Nozzle nozzle;
+    private final Supplier<Optional<Collisions>> collisions;
     private final SeededRandom random;
     private double startTime;
+    private long due;                                   // births so far, with those that wait
     private long born;
+    private Vector3 place;                              // of the next birth
+    private Vector3 velocity;
 
     /**
      * The parameters of an emitter.
@@ -64,10 +71,20 @@ public final class Emitter implements Rule {
         }
     }
 
-    /** @param nozzle the parameters */
-    public Emitter(Nozzle nozzle) {
+    /**
+     * @param nozzle     the parameters
+     * @param collisions gives the rule for hard balls, if particles are hard balls; it may be built later
+     */
+    public Emitter(Nozzle nozzle, Supplier<Optional<Collisions>> collisions) {
         this.nozzle = nozzle;
+        this.collisions = collisions;
         random = new SeededRandom(nozzle.seed());
+        aim();
+    }
+
+    /** @return the number of births that wait for room */
+    public long getWaiting() {
+        return due - born;
     }
 
     @Override
@@ -83,32 +100,47 @@ public final class Emitter implements Rule {
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         boolean any = false;
+        while (emit(system, system.getTime())) {        // those that have waited
+            any = true;
+        }
         double now = system.getTime() + ROUNDING * deltaT;
         for (double birth = getNextTime(); birth <= now; birth = getNextTime()) {
-            emit(system, birth);
-            any = true;
+            due++;
+            any |= emit(system, getWaiting() == 1 ? birth : system.getTime());
         }
         return any;
     }
 
-    @Override
-    public double getNextTime() {
-        return startTime + (born + 1) / nozzle.rate();
-    }
-
-    private void emit(ParticleSystem system, double birth) {
-        Jet jet = nozzle.jet();
-        Vector3 velocity = random.nextDirection(jet.direction(), jet.spread()).times(jet.speed());
-        Vector3 from = jet.position();
-        if (jet.radius() > 0) {
-            from = from.plus(random.nextDirection(jet.direction(), Math.PI)
-                    .times(jet.radius() * StrictMath.cbrt(random.nextDouble())));
+    /** Lets the first of those that are due be born, if there are any and there is room. */
+    private boolean emit(ParticleSystem system, double birth) {
+        Vector3 at = place.plus(velocity.times(system.getTime() - birth));
+        Optional<Collisions> balls = collisions.get();
+        if (getWaiting() == 0 || balls.isPresent() && !balls.get().hasRoom(at)) {
+            return false;
         }
-        int i = system.addParticle(nozzle.id() + "[" + born + "]", nozzle.mass(),
-                from.plus(velocity.times(system.getTime() - birth)), velocity, false);
+        int i = system.addParticle(nozzle.id() + "[" + born + "]", nozzle.mass(), at, velocity, false);
         system.setLife(i, birth, birth + nozzle.lifetime());
+        balls.ifPresent(rule -> rule.addBall(i));
         born++;
         requireApart(system, i);
+        aim();
+        return true;
+    }
+
+    @Override
+    public double getNextTime() {
+        return startTime + (due + 1) / nozzle.rate();
+    }
+
+    /** Draws the place and velocity of the next birth. */
+    private void aim() {
+        Jet jet = nozzle.jet();
+        velocity = random.nextDirection(jet.direction(), jet.spread()).times(jet.speed());
+        place = jet.position();
+        if (jet.radius() > 0) {
+            place = place.plus(random.nextDirection(jet.direction(), Math.PI)
+                    .times(jet.radius() * StrictMath.cbrt(random.nextDouble())));
+        }
     }
 
     private static void requireApart(ParticleSystem system, int newborn) {

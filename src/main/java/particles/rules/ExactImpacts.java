@@ -211,7 +211,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         balls.ifPresent(Collisions::findTouching);
         do {
             contacts.getImpacts().answer(meetings(met), state);
-        } while (findMeetings(met) | balls.isPresent() && balls.get().findTouching());
+        } while (findMeetings(met) | balls.map(Collisions::findTouching).orElse(false));
         met.forEach((j, some) -> some.stream().forEach(q -> settle(q, j, velocity(before, j).length())));
         balls.ifPresent(Collisions::settle);
     }

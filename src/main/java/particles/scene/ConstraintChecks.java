@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.reactions.Curve;
@@ -36,6 +37,8 @@ import particles.spec.messages.Wording;
 record ConstraintChecks(Values scene, Problems problems, KnownParticles known, ParticleIndex index) {
     /** The largest initial distance of a bead from its wire (m): positions in files have few digits. */
     private static final double ON_WIRE = 1e-3;
+    /** Turns in the search for velocities that fit: enough for a chain of 30 rods. */
+    private static final int MOST_SWEEPS = 10_000;
     /** Speeds along a rod or off a wire below this are round-off (m/s). */
     private static final double STILL = 1e-9;
     /** Largest distance from the line of a rod that counts as on it, as a fraction of its length. */
@@ -123,7 +126,8 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
             if (Math.abs(rate) > STILL) {
                 problems.add(place, "the ends of the rod from " + Wording.quote(from) + " to " + Wording.quote(to)
                         + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
-                        + " m/s; their relative velocity must be across the rod" + moving(from, to));
+                        + " m/s; their relative velocity must be across the rod" + moving(from, to)
+                        + fitting(from, to));
             }
         }
     }
@@ -143,6 +147,43 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         return Stream.of(ends).filter(id -> motionOf(id).isPresent())
                 .map(id -> "; " + Wording.quote(id) + " begins with " + components(velocity(id)) + " m/s").findFirst()
                 .orElse("");
+    }
+
+    /** The velocities of these ends with which no rod's ends move apart or together, if there are any. */
+    private String fitting(String... ends) {
+        Map<String, Vector3> fitting = fittingVelocities();
+        return Stream.of(ends).filter(fitting::containsKey).filter(id -> !fitting.get(id).equals(velocity(id)))
+                .map(id -> "; " + Wording.quote(id) + " fits with velocity: " + exactly(fitting.get(id)))
+                .collect(Collectors.joining());
+    }
+
+    /**
+     * The nearest velocities with which all rods keep their lengths, by particle; empty if there are none. Each rod in
+     * turn corrects those of its ends (S. Kaczmarz 1937).
+     */
+    private Map<String, Vector3> fittingVelocities() {
+        Map<String, Vector3> velocities = new HashMap<>();
+        List<Values> rods = withKnownEnds(SceneFormat.RODS).stream().filter(rod ->
+                !index.way(from(rod), to(rod)).isZero()).toList();
+        double worst = Double.POSITIVE_INFINITY;
+        for (int sweep = 0; sweep < MOST_SWEEPS && worst > STILL / 2; sweep++) {
+            worst = 0;
+            for (Values rod : rods) {
+                List<String> ends = List.of(from(rod), to(rod));
+                ends.forEach(end -> velocities.computeIfAbsent(end, this::velocity));
+                Vector3 along = index.way(from(rod), to(rod)).normalized();
+                double rate = velocities.get(to(rod)).minus(velocities.get(from(rod))).dot(along);
+                List<String> free = ends.stream().filter(end -> !index.particle(end).fixed()).toList();
+                free.forEach(end -> velocities.merge(end, along.times((end.equals(from(rod)) ? rate : -rate)
+                        / free.size()), Vector3::plus));
+                worst = Math.max(worst, Math.abs(rate));
+            }
+        }
+        return worst <= STILL / 2 ? velocities : Map.of();
+    }
+
+    private static String exactly(Vector3 v) {
+        return "[" + Digits.exact(v.x()) + ", " + Digits.exact(v.y()) + ", " + Digits.exact(v.z()) + "]";
     }
 
     private static String components(Vector3 v) {

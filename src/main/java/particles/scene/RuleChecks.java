@@ -38,7 +38,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         return rules.stream().anyMatch(rule -> RuleKind.alive(rule.values(), 1, 1) > 0);
     }
 
-    /** Hard balls are named once, located at their impacts and as many as at the start. */
+    /** Hard balls are named once, located at their impacts and neither merged nor split. */
     private void checkBalls() {
         List<Chosen<RuleKind>> balls = rules.stream().filter(RuleKind::hasBalls).toList();
         if (balls.isEmpty()) {
@@ -53,9 +53,8 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         }
         scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
                 problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
-        rules.stream().filter(rule -> rule.kind().newIds().isPresent() || RuleKind.removes(rule)).forEach(rule ->
-                problems.add(rule.place(), rule.kind().getLabel() + " and 'collisions' cannot be combined:"
-                        + " hard balls are neither born nor removed"));
+        rules.stream().filter(rule -> RuleKind.merges(rule)).forEach(rule -> problems.add(rule.place(), rule.kind().getLabel()
+                + " and 'collisions' cannot be combined: hard balls neither merge nor split"));
     }
 
     void check() {

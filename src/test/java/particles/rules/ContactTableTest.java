@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.SimulationException;
+import particles.law.Particles;
 import particles.scene.ShortRun;
 
 /** Laws of contact, each with every solver and both kinds of impact. */
@@ -212,5 +213,60 @@ class ContactTableTest {
             assertEquals("there is no room left between 'push' and 'plane'", end.getMessage());
             assertEquals(1, end.getParticle());
         }
+    }
+
+    /** Balls that are due every 0.05 s and leave at 1 m/s are born 0.2 m apart, and others wait. */
+    @ParameterizedTest
+    @MethodSource("ways")
+    void aBallIsBornOnceThereIsRoom(Way way) {
+        if (way.impact.equals("clamp")) {
+            return;                                     // hard balls need exact impacts
+        }
+        ShortRun run = way.run(0.0625, 1.1, """
+                effects: []
+                particles: [{id: source, position: [-9, 9, 0], fixed: true}]
+                rules:
+                  - emitter: {id: e, position: [0, 0, 0], direction: [1, 0, 0], speed: 1, rate: 16}
+                  - collisions: {radius: 0.1}
+                """);
+        Particles balls = run.getSystem().getParticles();
+        assertEquals(6, balls.count());                 // every fourth step: 0.1875 m is too near
+        for (int i = 1; i <= 5; i++) {
+            assertEquals(0.25 * i - 0.1875, balls.birthTime(i), 1e-15);
+            assertEquals(1.1 - balls.birthTime(i), run.at(6 * i), 1e-15);
+        }
+        assertEquals(12, waiting(run), "of 17");
+        assertEquals(0, run.getSimulation().getEvents());
+    }
+
+    /** Where there is none, all wait: a ball at rest, or a wall. Balls of age make room, and those on them fall. */
+    @ParameterizedTest
+    @MethodSource("ways")
+    void ballsThatDieMakeRoom(Way way) {
+        if (way.impact.equals("clamp")) {
+            return;                                     // hard balls need exact impacts
+        }
+        String scene = """
+                particles: [{id: source, position: [-9, 9, 0], fixed: true}]
+                rules:
+                  - emitter: {id: e, position: [0, 0.3, 0], speed: 0, rate: 16, lifetime: %s}
+                  - collisions: {radius: 0.1, restitution: 0}
+                  - plane: {point: [0, %s, 0], normal: [0, 1, 0], restitution: 0}
+                """;
+        ShortRun full = way.run(0.0625, 2, scene, 9, 0);
+        assertEquals(3, full.getSystem().getParticles().count(), "one on the ground, one on it");
+        assertEquals(30, waiting(full));
+        assertEquals(0.1, full.at(7), 1e-12);
+        assertEquals(0.3, full.at(13), 1e-12);
+        assertEquals(32, waiting(way.run(0.0625, 2, scene, 9, 0.25)), "in the ground");
+        ShortRun mortal = way.run(0.0625, 2, scene, 0.5, 0);
+        assertEquals(3, mortal.getSystem().getParticles().count());
+        assertEquals(0.1, mortal.at(7), 1e-12);
+        assertTrue(mortal.getSystem().getParticles().id(1).compareTo("e[3]") > 0, "others have died");
+    }
+
+    private static long waiting(ShortRun run) {
+        return run.getSimulation().getRules().stream().filter(Emitter.class::isInstance)
+                .mapToLong(rule -> ((Emitter) rule).getWaiting()).sum();
     }
 }

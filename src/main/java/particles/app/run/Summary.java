@@ -17,6 +17,7 @@ import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
 import particles.law.Violation;
+import particles.rules.Emitter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.scene.Scene;
@@ -139,6 +140,11 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
         Violation violation = simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; try a smaller deltaT or another solver.");
+        }
+        long waiting = simulation().getRules().stream().filter(Emitter.class::isInstance)
+                .mapToLong(rule -> ((Emitter) rule).getWaiting()).sum();
+        if (waiting > 0) {
+            lines.add(counted(waiting, "birth") + " of 'emitter' waited for room until the end");
         }
         if (scene.description().hasHardBalls() && simulation().getEvents() > MANY_EVENTS * time) {
             lines.add("warning: " + simulation().getEvents() + " impacts and changes of contact, each located by extra"

@@ -42,12 +42,13 @@ final class BirthAndDeath {
     static final Key<Double> LIFETIME = NumberType.positive("s").optional("lifetime",
             "The lifetime of each (s); unlimited if left out.");
 
-    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", (values, assembly) -> {
+    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles. A hard ball is born once there"
+            + " is room for it.", (values, assembly) -> {
         double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
         Emitter.Jet jet = new Emitter.Jet(values.get(POSITION), values.get(RADIUS), values.get(DIRECTION),
                 StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED));
         assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), jet, values.get(RATE), values.get(MASS),
-                lifetime, values.get(SharedKeys.SEED))));
+                lifetime, values.get(SharedKeys.SEED)), assembly::getCollisions));
         if (lifetime < Double.POSITIVE_INFINITY) {
             assembly.letDie();
         }

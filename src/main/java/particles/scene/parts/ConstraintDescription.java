@@ -59,8 +59,10 @@ public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wi
         contacts.ifPresent(constraints::solveWith);
         for (Rule rule : List.copyOf(simulation.getRules())) {
             if (rule instanceof ExactImpacts impacts) {
-                assembly.getBalls().ifPresent(balls -> simulation.addRule(new Collisions(impacts, constraints,
-                        balls)));
+                assembly.getBalls().map(balls -> new Collisions(impacts, constraints, balls)).ifPresent(collisions -> {
+                    simulation.addRule(collisions);
+                    assembly.set(collisions);
+                });
             }
         }
         system.addReaction(constraints);

@@ -1,6 +1,5 @@
 package particles.scene.parts;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -112,6 +111,11 @@ public class RuleKind extends Kind {
         return rule.kind() == COLLISIONS;
     }
 
+    /** @return whether this rule of a scene merges and splits particles */
+    public static boolean merges(Chosen<RuleKind> rule) {
+        return rule.kind() == BirthAndDeath.SAMPLES;
+    }
+
     /** @return whether this rule of a scene removes particles of any origin */
     public static boolean removes(Chosen<RuleKind> rule) {
         return rule.kind() == BirthAndDeath.KILL;
@@ -130,7 +134,7 @@ public class RuleKind extends Kind {
             super(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name, solid.apply(values),
                     new Bounce(values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::ofImpacts).orElse(0.0),
                             values.get(REST_SPEED)),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), assembly::radius)), keys);
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), assembly.particles()::radius)), keys);
             this.solid = solid;
         }
 
@@ -200,9 +204,11 @@ public class RuleKind extends Kind {
     static final RuleKind COLLISIONS = new RuleKind("collisions",
             "Particles are hard balls that bounce off each other, and touch solids with their surface.",
             (values, assembly) -> {
-                double[] radii = new double[assembly.particles().count()];
-                Arrays.setAll(radii, i -> assembly.ownRadius(i).orElse(values.get(SharedKeys.BALL_RADIUS)));
-                assembly.set(new Collisions.Balls(radii, new Bounce(values.get(RESTITUTION),
+                double radius = values.get(SharedKeys.BALL_RADIUS);
+                for (int i = 0; i < assembly.particles().count(); i++) {
+                    assembly.particles().setRadius(i, assembly.ownRadius(i).orElse(radius));
+                }
+                assembly.set(new Collisions.Balls(radius, new Bounce(values.get(RESTITUTION),
                         values.get(IMPACT_FRICTION), values.get(REST_SPEED))));
             }, SharedKeys.BALL_RADIUS, RESTITUTION, IMPACT_FRICTION, REST_SPEED);
 

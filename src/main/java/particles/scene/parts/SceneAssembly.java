@@ -34,6 +34,7 @@ public final class SceneAssembly implements EffectContext {
     private final List<Obstacle> solids = new ArrayList<>();
     private final List<CurveView> wires = new ArrayList<>();
     private Optional<Collisions.Balls> balls = Optional.empty();
+    private Optional<Collisions> collisions = Optional.empty();
     private Wind wind = Wind.STILL;
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
@@ -102,14 +103,18 @@ public final class SceneAssembly implements EffectContext {
         this.balls = Optional.of(balls);
     }
 
+    void set(Collisions rule) {
+        collisions = Optional.of(rule);
+    }
+
     /** @return the law of impact, if particles are hard balls */
     public Optional<Collisions.Balls> getBalls() {
         return balls;
     }
 
-    /** @return the radius with which a particle touches solids (m); 0 for a point */
-    double radius(int particle) {
-        return balls.isPresent() ? balls.get().radii()[particle] : 0;
+    /** The rule for collisions, once it is built; empty if particles are points. */
+    Optional<Collisions> getCollisions() {
+        return collisions;
     }
 
     void add(ContactSurface surface) {
