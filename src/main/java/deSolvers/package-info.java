@@ -8,8 +8,8 @@
  *
  * <h2>The slides and the classes, line by line</h2>
  * A solver of one's own may be written the slides' way, as a plain {@link deSolvers.DESolver} with plain calls
- * ({@code gradle newSolver} writes such a class), or on {@link deSolvers.FixedStepSolver}
- * ({@code gradle newSolver -Pfrom=FixedStepSolver}), which makes the calls around the formula and keeps the contract:
+ * ({@code gradle newSolver} writes such a class), or on {@link deSolvers.FixedStepSolver},
+ * which makes the calls around the formula and keeps the contract:
  * <pre>
  * slide "Euler Solver Code"                      {@link deSolvers.EulerSolver}
  *

@@ -99,7 +99,7 @@ public final class Main {
         commands.addAll(List.of(new SweepCommand(), new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
-                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises()),
+                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(Path.of("."), exercises()),
                 new GradeClassCommand(), new SheetsCommand(), new AutogradingCommand()));
         return commands;
     }

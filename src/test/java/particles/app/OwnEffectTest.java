@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.app.student.EffectSkeleton;
+import particles.app.student.NewClassCommand;
 import particles.app.student.StudentClasses;
 import particles.app.student.StudentLoader;
 import particles.scene.Scene;
@@ -156,7 +156,7 @@ class OwnEffectTest {
 
     @Test
     void theSkeletonOfNewEffectRunsInAScene() throws IOException {
-        write("MyForce", EffectSkeleton.effect("MyForce", false));
+        write("MyForce", NewClassCommand.NewEffect.SKELETON.replace("NAME", "MyForce"));
         assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
                 "exercises.MyForce: {strength: 2}")).system().getEffects()
                 .get(0).getName());
@@ -187,7 +187,8 @@ class OwnEffectTest {
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
         assertRefused("""
                 5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class Keys \
-                extends EffectKind' with a 'public Keys()'""", "exercises.Hidden");
+                extends EffectKind' with a 'public Keys()': java.lang.NoSuchMethodException: \
+                exercises.Hidden$Keys.<init>()""", "exercises.Hidden");
         write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")
                 .replace("public Coriolis", "public Copied"));
         assertRefused("""

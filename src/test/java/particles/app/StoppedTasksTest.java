@@ -53,8 +53,8 @@ class StoppedTasksTest {
         List<String> arguments = new ArrayList<>(List.of(task, "--out=" + top.resolve("out")));
         switch (task) {
             case "run" -> arguments.add("--scene=" + FaultScene.write(top.resolve("scene.yaml"), 1000));
-            case "checkSolver" -> arguments.add("--solver=exercises.Endless");
-            case "grade" -> arguments.addAll(List.of("--student=ann", "--folder=" + handIn("ann")));
+            case "checkSolver" -> arguments.add("--solver=exercises.EndlessSolver");
+            case "grade" -> arguments.add("--student=ann");
             case "gradeClass" -> arguments.add("--folder=" + handIn("ann").getParent());
             default -> {
                 return arguments;
@@ -75,7 +75,7 @@ class StoppedTasksTest {
         OtherSystems.assumeSignals();
         Path temporary = Files.createDirectory(top.resolve("temporary"));
         Path exercises = Files.createDirectory(top.resolve("exercises"));
-        Files.writeString(exercises.resolve("Endless.java"), ENDLESS.formatted("Endless"));
+        Files.writeString(exercises.resolve("EndlessSolver.java"), ENDLESS.formatted("EndlessSolver"));
         int stopped = 0;
         for (long moment : MOMENTS) {
             ChildProgram child = new ChildProgram(top.resolve("lines.txt")).jvm("-Djava.io.tmpdir=" + temporary,

@@ -93,12 +93,4 @@ public abstract class ResultsCommand extends ProgramCommand {
         }
         return names;
     }
-
-    /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */
-    protected final void requireWithin(String option, int value, int least, int most) {
-        if (value < least || value > most) {
-            throw wrong(option, value + " has to be " + (most == Integer.MAX_VALUE ? least + " or more"
-                    : "from " + least + " to " + most));
-        }
-    }
 }

@@ -2,8 +2,6 @@ package particles.app.course;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.DateTimeException;
-import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,8 +29,6 @@ import particles.teaching.exercises.Exercises;
  * What counts, and how much: the file {@code assignment.yaml} of a lecturer. All of its keys may be left out:
  *
  * <pre>
- * deadline: 2026-03-14T23:59:00+13:00       # later hand-ins are listed, not marked down
- * shows: comments                           # what a student's own `grade` shows: comments, marks or handed-in
  * numbers: id                               # numbers from the id; sheet: those of the key file
  * exercises: {1: 1, 5: 2}                   # number and weight; without this key, all count 1
  * solvers:                                  # without this key, every ...Solver counts 1
@@ -41,25 +37,19 @@ import particles.teaching.exercises.Exercises;
  * effects: {MyForce: 2}                     # class and weight; without this key, none
  * </pre>
  *
- * @param deadline  the time after which a hand-in is late, if there is one
- * @param shows     what {@code grade} shows a student
  * @param numbers   where the numbers of exercises come from
  * @param exercises the weight of each exercise that counts
  * @param solvers   each solver that counts; empty for every class with such a name
  * @param effects   the weight of each effect that counts
  */
-record Assignment(Optional<OffsetDateTime> deadline, Shows shows, Numbers numbers, Map<Integer, Double> exercises,
-        Optional<Map<String, Asked>> solvers, Map<String, Double> effects) {
+record Assignment(Numbers numbers, Map<Integer, Double> exercises, Optional<Map<String, Asked>> solvers,
+        Map<String, Double> effects) {
     static final String FILE = "assignment.yaml";
     private static final Type<String> CLASS = TextType.of("the name of a class", "^[A-Za-z_][A-Za-z0-9_]*$");
     private static final NumberType POINTS = NumberType.notNegative("");
     private static final List<String> ALL = IntStream.rangeClosed(1, Exercises.ALL.size()).mapToObj(String::valueOf)
             .toList();
 
-    private static final Key<String> DEADLINE = TextType.prose().optional("deadline",
-            "The time after which a hand-in is late.");
-    private static final Key<Shows> SHOWS = NameType.of("choice", Shows.class).withDefault("shows", Shows.COMMENTS,
-            "What a student's own grade shows.");
     private static final Key<Numbers> NUMBERS = NameType.of("choice", Numbers.class).withDefault("numbers", Numbers.ID,
             "Where the numbers of exercises come from.");
     private static final Key<Map<String, Double>> EXERCISES = new MapType<>(new TextType("the number of an exercise",
@@ -73,11 +63,7 @@ record Assignment(Optional<OffsetDateTime> deadline, Shows shows, Numbers number
             MappingType.of("a solver", METHOD, WEIGHT).shortFor(METHOD)).optional("solvers", "The solvers that count.");
     private static final Key<Map<String, Double>> EFFECTS = new MapType<>(CLASS, POINTS)
             .withDefault("effects", Map.of(), "The effects that count.");
-    private static final MappingType FORMAT = MappingType.of("the assignment", DEADLINE, SHOWS, NUMBERS, EXERCISES,
-            SOLVERS, EFFECTS);
-
-    /** What a student's own grade shows. */
-    enum Shows { COMMENTS, MARKS, HANDED_IN }
+    private static final MappingType FORMAT = MappingType.of("the assignment", NUMBERS, EXERCISES, SOLVERS, EFFECTS);
 
     /** Where the numbers of exercises come from: the student's id, or a key file. */
     enum Numbers { ID, SHEET }
@@ -102,35 +88,20 @@ record Assignment(Optional<OffsetDateTime> deadline, Shows shows, Numbers number
         Reading in = new Reading(path.toString().replace('\\', '/'), problems);
         Optional<Values> values = file.isEmpty() && !Files.exists(path) ? Optional.of(new Values(Place.of(FILE)))
                 : SourceText.read(path, in).flatMap(text -> FORMAT.read(text, in));
-        Optional<OffsetDateTime> deadline = values.flatMap(all -> all.find(DEADLINE).flatMap(text -> {
-            try {
-                return Optional.of(OffsetDateTime.parse(text));
-            } catch (DateTimeException e) {
-                return problems.add(all.place(DEADLINE), "'deadline' is '" + text + "'; it has to be a date, a time"
-                        + " and its distance from UTC, such as 2026-03-14T23:59:00+13:00");
-            }
-        }));
         problems.throwIfAny();
         Values all = values.orElseThrow();
         Map<Integer, Double> exercises = new TreeMap<>();
         all.get(EXERCISES).forEach((number, weight) -> exercises.put(Integer.valueOf(number), weight));
-        Map<String, Asked> solvers = new TreeMap<>();
-        all.find(SOLVERS).ifPresent(asked -> asked.forEach((name, solver) -> solvers.put(name, new Asked(
-                solver.get(METHOD), solver.get(WEIGHT)))));
-        return new Assignment(deadline, all.get(SHOWS), all.get(NUMBERS), exercises, all.find(SOLVERS).map(asked ->
-                solvers), new TreeMap<>(all.get(EFFECTS)));
+        return new Assignment(all.get(NUMBERS), exercises, all.find(SOLVERS).map(asked -> {
+            Map<String, Asked> solvers = new TreeMap<>();
+            asked.forEach((name, solver) -> solvers.put(name, new Asked(solver.get(METHOD), solver.get(WEIGHT))));
+            return solvers;
+        }), new TreeMap<>(all.get(EFFECTS)));
     }
 
     /** @return the solvers that count, if a student has these classes */
     Map<String, Asked> solvers(Set<String> there) {
         return solvers.orElseGet(() -> there.stream().filter(name -> name.endsWith("Solver")).collect(Collectors.toMap(
                 name -> name, name -> new Asked(AskedMethods.ANY, 1), (a, b) -> a, TreeMap::new)));
-    }
-
-    /** @return as much of a mark as a student's own grade shows */
-    Result.Item shown(Result.Item item) {
-        boolean handedIn = shows == Shows.HANDED_IN;
-        return shows == Shows.COMMENTS ? item : Result.Item.of(item.name(), item.answered(), !handedIn ? item.status()
-                : item.answered() ? Result.Status.PASS : Result.Status.FAIL, handedIn ? 0 : item.maxScore(), List.of());
     }
 }

@@ -57,7 +57,7 @@ public final class AutogradingCommand extends ResultsCommand {
             echo '<|--'
             sed 's/^/>/' marks.txt
             echo '--|>'
-            sed -n 's/^points: \\([0-9.]*\\) of \\([0-9.]*\\)$/\\1 \\2/p' marks.txt | tail -n 1 |
+            sed -n 's/^\\([0-9.]*\\) of \\([0-9.]*\\) points .*/\\1 \\2/p' marks.txt | tail -n 1 |
                 awk -v low="${VPL_GRADEMIN:-0}" -v high="${VPL_GRADEMAX:-10}" \\
                 '$2 > 0 { print "Grade :=>> " low + (high - low) * $1 / $2 }'
             END

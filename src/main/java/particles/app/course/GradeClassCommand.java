@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.State;
+import particles.app.course.Result.Status;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.frames.Pipeline;
@@ -42,9 +43,6 @@ public final class GradeClassCommand extends ResultsCommand {
         private Optional<Path> collect;
     }
 
-    /** Which of several hand-ins of a student counts. */
-    enum Attempt { LAST, BEST }
-
     @ArgGroup(multiplicity = "1")
     private Source source;
 
@@ -55,10 +53,6 @@ public final class GradeClassCommand extends ResultsCommand {
     @Option(names = "--part", paramLabel = "K/N", split = "/",
             description = "Marks only part K of N, such as 3/16; --collect then makes the tables.")
     private List<Integer> part = List.of(1, 1);
-
-    @Option(names = "--attempt", paramLabel = "WHICH",
-            description = "Which of several hand-ins counts: last or best (default: last).")
-    private Attempt attempt = Attempt.LAST;
 
     @Mixin
     private final CourseOptions course = new CourseOptions();
@@ -93,17 +87,16 @@ public final class GradeClassCommand extends ResultsCommand {
                     + "; make the tables with " + getStyle().option("collect"));
             return;
         }
-        try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
+        try (OutputFolder files = OutputFolder.open(getFolder())) {
             List<Result> results = new ArrayList<>(source.folder.isPresent() ? marked(list, assignment, out)
                     : collected(source.collect.orElseThrow(), list));
             Set<String> there = results.stream().map(result -> ClassList.fold(result.student())).collect(Collectors
                     .toSet());
             Submission nothing = new Submission("");
             list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each -> Result.of(
-                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment, List.of(),
-                    nothing, getFolder()).items())).forEach(results::add);
-            Marking.clear(getFolder(), ClassTables.FILES);
-            new ClassTables(assignment, list, results, attempt).write(files).forEach(out::println);
+                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment,
+                    Optional.empty(), nothing, getFolder()).items())).forEach(results::add);
+            new ClassTables(list, results).write(files).forEach(out::println);
         }
     }
 
@@ -126,7 +119,7 @@ public final class GradeClassCommand extends ResultsCommand {
 
     /** Reads all hand-ins of this part, and only then marks them, one on each core. */
     private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
-        Function<String, List<String>> numbers = course.numbersOf(assignment);
+        Function<String, Optional<String>> numbers = course.numbersOf(assignment);
         List<Map.Entry<String, List<Path>>> all = List.copyOf(Submission.list(source.folder.orElseThrow()).entrySet());
         List<Submission> handIns = IntStream.range(0, all.size()).filter(k -> k % part.get(1) == part.get(0) - 1)
                 .mapToObj(all::get).map(each -> Submission.read(each.getKey(), each.getValue())).toList();
@@ -139,8 +132,8 @@ public final class GradeClassCommand extends ResultsCommand {
                         : list.owner(handIn.name()).map(ClassList.Student::id);
                 State state = owner.isEmpty() ? State.WHOSE : handIn.damaged().isEmpty() ? State.MARKED
                         : State.UNREADABLE;
-                Result result = state == State.MARKED ? new Marking(assignment, numbers.apply(owner.get()), handIn,
-                        where).result(owner.get()) : Result.of(owner.orElse(handIn.name()), state, handIn, "",
+                Result result = state == State.MARKED ? marked(new Marking(assignment, numbers.apply(owner.get()),
+                        handIn, where), owner.get()) : Result.of(owner.orElse(handIn.name()), state, handIn, "",
                         handIn.damaged(), List.of());
                 write(where, result, out);              // at once, so that it counts after a stop
                 return () -> {
@@ -152,6 +145,13 @@ public final class GradeClassCommand extends ResultsCommand {
         // once more: a class may have changed what was written
         results.forEach((where, result) -> write(where, result, out));
         return results.values();
+    }
+
+    /** Marks a hand-in, unless the same one was marked before; then that result is kept. */
+    private static Result marked(Marking marking, String student) {
+        return Result.read(marking.folder().resolve(Result.FILE)).filter(earlier -> earlier.student().equals(student)
+                && earlier.digest().equals(marking.digest()) && earlier.status() != Status.ERROR).orElseGet(() ->
+                marking.result(student));
     }
 
     private static void write(Path where, Result result, PrintWriter out) {

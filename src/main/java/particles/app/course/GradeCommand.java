@@ -4,9 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import particles.app.cli.ResultsCommand;
-import particles.app.course.Assignment.Shows;
 import particles.app.course.Result.Item;
-import particles.app.course.Result.State;
 import particles.app.course.Result.Status;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
@@ -19,20 +17,14 @@ public final class GradeCommand extends ResultsCommand {
     @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
     private String student;
 
-    @Option(names = "--folder", paramLabel = "FOLDER", defaultValue = ".",
-            description = "The folder of the student's work (default: this one).")
-    private Path folder;
-
     @Mixin
     private final CourseOptions course = new CourseOptions();
 
-    private final Path classes;
+    private final List<Path> folders;
 
-    /**
-     * @param classes the folder of the student's classes
-     */
-    public GradeCommand(Path classes) {
-        this.classes = classes;
+    /** @param folders the folders of the student's work and classes */
+    public GradeCommand(Path... folders) {
+        this.folders = List.of(folders);
     }
 
     @Override
@@ -41,30 +33,25 @@ public final class GradeCommand extends ResultsCommand {
             throw wrong("student", "the id is empty");
         }
         Assignment assignment = course.readAssignment();
-        Submission work = Submission.read("this project", List.of(folder, classes));
-        Result all = new Marking(assignment, course.numbersOf(assignment).apply(student), work, getFolder()).result(
+        Submission work = Submission.read("this project", folders);
+        Result result = new Marking(assignment, course.numbersOf(assignment).apply(student), work, getFolder()).result(
                 student.strip());
-        Result result = Result.of(all.student(), State.MARKED, work, "", all.problems(), all.tests().stream().map(
-                assignment::shown).toList());
         result.problems().forEach(out::println);
         for (Item item : result.tests()) {
-            out.println((!item.answered() ? "missing   " : item.status() == Status.ERROR ? "undecided "
-                    : assignment.shows() == Shows.HANDED_IN ? "handed in " : item.status() == Status.PASS ? "mark      "
-                    : "no mark   ") + item.name());
-            item.lines().stream().filter(line -> !line.equals(Marking.NO_ANSWER)).forEach(line -> out.println(
+            out.println((!item.answered() ? "missing   " : switch (item.status()) {
+                case PASS -> "mark      ";
+                case FAIL -> "no mark   ";
+                case ERROR -> "undecided ";
+            }) + item.name());
+            item.message().lines().filter(line -> !line.equals(Marking.NO_ANSWER)).forEach(line -> out.println(
                     "            " + line));
         }
         Marking.write(getFolder(), result);
-        out.println(result.summary() + " for " + result.student() + "; report: " + getFolder().resolve(Marking.PAGE
-                + ".md"));
-        if (result.maxScore() > 0) {                    // a script for VPL reads this line
-            out.println("points: " + ClassTables.number(result.points()) + " of "
-                    + ClassTables.number(result.maxScore()));
-        }
+        // a script for VPL reads the points
+        out.println(result.summary() + "; report: " + getFolder().resolve(Marking.PAGE + ".md"));
         long missing = result.tests().stream().filter(item -> item.status() != Status.PASS).count();
         if (missing > 0) {
-            throw new InvalidInputException(result.maxScore() == 0 ? missing + " still to hand in" : missing == 1
-                    ? "one mark is missing" : missing + " marks are missing");
+            throw new InvalidInputException("marks that are missing: " + missing);
         }
     }
 }

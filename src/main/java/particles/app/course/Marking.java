@@ -2,15 +2,12 @@ package particles.app.course;
 
 import static particles.view.DataTable.column;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Program;
@@ -23,7 +20,6 @@ import particles.app.student.CheckSolverCommand;
 import particles.app.student.StudentProcess;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
-import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
 import particles.spec.Digest;
 import particles.teaching.GuardedRun;
@@ -38,11 +34,11 @@ import particles.view.DataTable;
  * The marking of one hand-in.
  *
  * @param assignment what counts
- * @param numbers    the text from which the numbers of each exercise come, from place 1 on; empty if that is not known
+ * @param numbers    the text from which the numbers of the exercises come; empty if that is not known
  * @param handIn     what was handed in
  * @param folder     the folder of the result
  */
-record Marking(Assignment assignment, List<String> numbers, Submission handIn, Path folder) {
+record Marking(Assignment assignment, Optional<String> numbers, Submission handIn, Path folder) {
     static final String PAGE = "grade";
     static final String NO_ANSWER = "There is no answer.";
     private static final double SECONDS = 60;
@@ -52,19 +48,15 @@ record Marking(Assignment assignment, List<String> numbers, Submission handIn, P
                 .text())).orElse(new AnswersFile(Map.of(), List.of("there is no " + Submission.ANSWERS)));
     }
 
-    /**
-     * Marks the hand-in, unless the same one was marked before; then that result is kept.
-     *
-     * @param student the id
-     * @return the result
-     */
+    /** @return everything on which the result depends */
+    String digest() {
+        return Digest.of(Program.VERSION + assignment + numbers + handIn);
+    }
+
+    /** Marks the hand-in of a student. */
     Result result(String student) {
-        String digest = Digest.of(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.files().keySet()
-                + handIn.files().values().stream().map(Submission.Text::text).toList());
-        Optional<Result> earlier = Result.read(folder.resolve(Result.FILE)).filter(result -> result.digest().equals(
-                digest) && result.student().equals(student) && result.status() != Status.ERROR);
-        return Result.of(student, State.MARKED, handIn, digest, Stream.concat(handIn.remarks().stream(),
-                answers().problems().stream()).toList(), earlier.map(Result::tests).orElseGet(this::items));
+        return Result.of(student, State.MARKED, handIn, digest(), Stream.concat(handIn.remarks().stream(),
+                answers().problems().stream()).toList(), items());
     }
 
     /** All marks: first the answers, then the classes, each of which runs in a process of its own. */
@@ -79,7 +71,7 @@ record Marking(Assignment assignment, List<String> numbers, Submission handIn, P
                     "Its numbers are on your handout: it is marked with the lecturer's key file.")
                     : mark(exercise, number, answer.get());
             items.add(Item.of(number + ". " + exercise.title(), answer.isPresent(), undecided ? Status.ERROR
-                    : mark.right() ? Status.PASS : Status.FAIL, weight, mark.lines()));
+                    : mark.right() ? Status.PASS : Status.FAIL, weight, mark));
         });
         Map<String, String> sources = handIn.sources();
         assignment.solvers(sources.keySet()).forEach((name, asked) -> items.add(check(sources, "solver", name,
@@ -91,8 +83,8 @@ record Marking(Assignment assignment, List<String> numbers, Submission handIn, P
     }
 
     private Mark mark(Exercise exercise, int number, String answer) {
-        GuardedRun.Outcome<Mark> marked = new GuardedRun(SECONDS).run(() -> exercise.mark(new Draw(numbers.get(number),
-                number), answer, handIn::file));
+        GuardedRun.Outcome<Mark> marked = new GuardedRun(SECONDS).run(() -> exercise.mark(new Draw(
+                numbers.orElseThrow(), number), answer, handIn::file));
         return marked.value().orElseGet(() -> Mark.wrong(marked.failure().orElseThrow().text()));
     }
 
@@ -102,39 +94,19 @@ record Marking(Assignment assignment, List<String> numbers, Submission handIn, P
                 : new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("there is no file " + name + ".java"));
         return Item.of(kind + " " + name, there, outcome.code() == ExitCode.DONE ? Status.PASS : outcome.code()
                 == ExitCode.STOPPED ? Status.ERROR : Status.FAIL, weight, new Mark(false, outcome.lines().stream()
-                .map(line -> line.replace(folder + "/", "")).toList()).lines());
+                .map(line -> line.replace(folder + "/", "")).toList()));
     }
 
-    /** Writes the student's page, grade.md, with marks.csv, grade.json and TEST-grade.xml. */
+    /** Writes the student's page, grade.md, with marks.csv and grade.json. */
     static void write(Path folder, Result result) {
         DataTable table = DataTable.of("marks", "Marks", result.tests(),
                 column("exercise", Item::name),
-                column("points", item -> ClassTables.number(item.score())),
-                column("of", item -> ClassTables.number(item.maxScore())),
-                column("comments", item -> String.join("; ", item.lines()).replaceAll("(?<=[.:]); ", " ")));
-        List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
-        clear(folder, names);
-        try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {
-            new ResultPage(PAGE, result.summary() + " for " + result.student(), result.problems(), List.of(),
-                    List.of(table)).write(files, ChartFormat.PAGE);
-            JUnitXml.write(files, PAGE, result.student(), result.tests().stream().map(item -> new JUnitXml.Case(
-                    item.name(), Optional.of(item.message()).filter(line -> item.status() != Status.PASS),
-                    item.lines())).toList());
+                column("points", Item::score), column("of", Item::maxScore),
+                column("comments", item -> item.message().lines().collect(Collectors.joining(" / "))));
+        try (OutputFolder files = OutputFolder.open(folder)) {
+            new ResultPage(PAGE, result.summary(), result.problems(), List.of(), List.of(table)).write(files,
+                    ChartFormat.PAGE);
             files.write(Result.FILE, result.json());
-        }
-    }
-
-    /** Moves aside what a class put, as a folder, in the place of a file. */
-    static void clear(Path folder, List<String> names) {
-        for (String name : names) {
-            Path file = folder.resolve(name);
-            if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
-                try {
-                    Files.move(file, folder.resolve(name + "-moved-aside-" + System.nanoTime()));
-                } catch (IOException e) {
-                    throw new UncheckedIOException(e);
-                }
-            }
         }
     }
 }

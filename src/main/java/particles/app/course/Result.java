@@ -7,12 +7,12 @@ import com.google.gson.annotations.SerializedName;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
-import particles.app.cli.Program;
+import particles.teaching.exercises.Draw;
+import particles.teaching.exercises.Exercise.Mark;
 
 /**
  * The result of one hand-in: the file grade.json. {@code status}, {@code max_score} and {@code tests} are those that
@@ -27,11 +27,10 @@ import particles.app.cli.Program;
  * @param handIn   the name of the folder or archive; empty if nothing was handed in
  * @param date     the latest date of a file in it
  * @param digest   of everything on which the result depends
- * @param program  the version of the program
  * @param problems lines on what could not be read
  */
 record Result(int version, Status status, double maxScore, List<Item> tests, String student, State state,
-        String handIn, String date, String digest, String program, List<String> problems) {
+        String handIn, String date, String digest, List<String> problems) {
     static final String FILE = "grade.json";
     private static final Gson JSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
             .setFieldNamingPolicy(FieldNamingPolicy.LOWER_CASE_WITH_UNDERSCORES).create();
@@ -69,32 +68,26 @@ record Result(int version, Status status, double maxScore, List<Item> tests, Str
      * @param score    the points
      * @param maxScore the most points
      * @param answered whether it was handed in
-     * @param message  the first comment
-     * @param more     the other comments
+     * @param message  the comments, in lines
      * @param lineNo   always 0
      */
     record Item(String name, Status status, double score, double maxScore, boolean answered, String message,
-            List<String> more, int lineNo) {
-        static Item of(String name, boolean answered, Status status, double weight, List<String> lines) {
+            int lineNo) {
+        static Item of(String name, boolean answered, Status status, double weight, Mark mark) {
             return new Item(name, status, status == Status.PASS ? weight : 0, weight, answered,
-                    lines.isEmpty() ? "" : lines.get(0), lines.stream().skip(1).toList(), 0);
-        }
-
-        /** @return all comments */
-        List<String> lines() {
-            return Stream.concat(Stream.of(message).filter(line -> !line.isEmpty()), more.stream()).toList();
+                    String.join("\n", mark.lines()), 0);
         }
 
         /** @return the first mistake */
         String mistake() {
-            return status == Status.PASS ? "" : lines().stream().filter(line -> line.matches("(WRONG|PROMISE), .*"))
-                    .findFirst().orElse(message);
+            return status == Status.PASS ? "" : message.lines().filter(line -> line.matches("(WRONG|PROMISE), .*"))
+                    .findFirst().or(() -> message.lines().findFirst()).orElse("");
         }
     }
 
     /** A result that was damaged lacks something. */
     Result {
-        Stream.of(status, tests, student, state, handIn, Instant.parse(date), digest, program, problems)
+        Stream.of(status, tests, student, state, handIn, date, digest, problems)
                 .forEach(Objects::requireNonNull);
     }
 
@@ -104,22 +97,16 @@ record Result(int version, Status status, double maxScore, List<Item> tests, Str
         boolean decided = items.stream().noneMatch(item -> item.status == Status.ERROR);
         return new Result(1, !decided ? Status.ERROR : items.stream().allMatch(item -> item.status == Status.PASS)
                 ? Status.PASS : Status.FAIL, items.stream().mapToDouble(Item::maxScore).sum(), items, student, state,
-                handIn.name(), handIn.newest().toString(), digest, Program.VERSION, problems);
-    }
-
-    Instant instant() {
-        return Instant.parse(date);
+                handIn.name(), handIn.newest(), digest, problems);
     }
 
     double points() {
         return tests.stream().mapToDouble(Item::score).sum();
     }
 
-    /** @return the points in words; where none are given, as before a deadline, how much was handed in */
+    /** @return the points in words, and whose they are */
     String summary() {
-        return maxScore > 0 ? ClassTables.number(points()) + " of " + ClassTables.number(maxScore) + " points"
-                : tests.stream().filter(Item::answered).count() + " of " + tests.size()
-                + " handed in, and no points yet";
+        return Draw.text(points()) + " of " + Draw.text(maxScore) + " points for " + student;
     }
 
     /** @return the contents of the file */

@@ -1,23 +1,23 @@
 package particles.app.course;
 
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.security.SecureRandom;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.UUID;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
 import particles.app.cli.ResultsCommand;
+import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.report.Html;
 import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercise;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.exercises.NumericExercise;
 import picocli.CommandLine.Command;
@@ -26,13 +26,12 @@ import picocli.CommandLine.Option;
 
 /**
  * {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv}: a printable page for each student, with numbers that follow
- * from the key file and not from the id. Students who are in the key file already keep their numbers.
+ * from a secret in the key file and not from the id. Students who are in the key file already keep their numbers.
  */
 @Command(name = "sheets", description = "Writes a printable sheet of exercises for each student of a class.")
 public final class SheetsCommand extends ResultsCommand {
-    private static final String HEAD = "student,the secret of each exercise (keep this file from students)";
+    private static final String HEAD = "student,secret (keep this file from students)";
     private static final int MOST_DRAWS = 100;
-    private static final int BYTES = 8;
     private static final String PAGE = """
             <!DOCTYPE html>
             <html lang="en"><head><meta charset="utf-8"/><title>Exercises for {{student}}</title>
@@ -51,56 +50,46 @@ public final class SheetsCommand extends ResultsCommand {
     @Mixin
     private final CourseOptions course = new CourseOptions();
 
-    private final SecureRandom random = new SecureRandom();
-
     @Override
     public void run(PrintWriter out) throws Exception {
-        Map<Integer, Double> wanted = course.readAssignment().exercises();
+        Set<Integer> wanted = course.readAssignment().exercises().keySet();
         Path key = course.getKey().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
-        Map<String, List<String>> keys = Files.exists(key) ? CourseOptions.key(key)
+        Map<String, String> secrets = Files.exists(key) ? CourseOptions.secrets(key)
                 : new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
-        List<List<Double>> taken = IntStream.rangeClosed(0, Exercises.ALL.size())
-                .<List<Double>>mapToObj(number -> new ArrayList<>()).toList();
-        keys.values().forEach(secrets -> wanted.keySet().forEach(number ->
-                answer(number, secrets.get(number)).forEach(taken.get(number)::add)));
+        List<List<Double>> taken = new ArrayList<>();
+        secrets.values().forEach(secret -> taken.add(answers(wanted, secret)));
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
             for (ClassList.Student each : ClassList.read(students).students().values()) {
-                String student = each.id();
-                List<String> secrets = keys.computeIfAbsent(student, id -> Stream.concat(Stream.of(id), IntStream
-                        .rangeClosed(1, Exercises.ALL.size()).mapToObj(number -> secret(number,
-                        taken.get(number)))).toList());
+                String secret = secrets.computeIfAbsent(each.id(), id -> secret(wanted, taken));
                 sheet++;
-                files.write("sheet-" + sheet + "-" + student.replaceAll("[^\\w-]", "_") + ".html",
-                        Html.fill(PAGE, Map.of("student", student, "parts", wanted.keySet().stream().map(number ->
-                        Map.of("number", number, "title", Exercises.ALL.get(number - 1).title(), "text",
-                        Exercises.ALL.get(number - 1).text(new Draw(secrets.get(number), number)))).toList())));
+                files.write("sheet-" + sheet + "-" + each.id().replaceAll("[^\\w-]", "_") + ".html", Html.fill(PAGE,
+                        Map.of("student", each.id(), "parts", wanted.stream().map(number -> Map.of("number", number,
+                        "title", Exercises.ALL.get(number - 1).title(), "text", Exercises.ALL.get(number - 1).text(
+                        new Draw(secret, number)))).toList())));
             }
             List<String> lines = new ArrayList<>(List.of(HEAD));
-            keys.values().forEach(cells -> lines.add(CSVFormat.DEFAULT.format(cells.toArray())));
-            Path whole = key.resolveSibling(key.getFileName() + ".new");
-            Files.write(whole, lines);
-            Files.move(whole, key, StandardCopyOption.REPLACE_EXISTING);
+            secrets.forEach((student, secret) -> lines.add(CSVFormat.DEFAULT.format(student, secret)));
+            OutputFile.write(key, (String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8));
             out.println(sheet + " sheets: " + getFolder() + "; mark with " + getStyle().option("key") + "=" + key);
         }
     }
 
-    private static Stream<Double> answer(int number, String secret) {
-        Exercise exercise = Exercises.ALL.get(number - 1);
-        return exercise instanceof NumericExercise numeric
-                ? Stream.of(numeric.worked(new Draw(secret, number)).answer()) : Stream.empty();
+    /** The answers to the exercises that are numbers. */
+    private static List<Double> answers(Set<Integer> wanted, String secret) {
+        return wanted.stream().flatMap(number -> Exercises.ALL.get(number - 1) instanceof NumericExercise numeric
+                ? Stream.of(numeric.worked(new Draw(secret, number)).answer()) : Stream.empty()).toList();
     }
 
     /** A secret with which no answer is right for somebody else, as far as there is one. */
-    private String secret(int number, List<Double> taken) {
-        byte[] bytes = new byte[BYTES];
+    private static String secret(Set<Integer> wanted, List<List<Double>> taken) {
         for (int draw = 1;; draw++) {
-            random.nextBytes(bytes);
-            String secret = HexFormat.of().formatHex(bytes);
-            List<Double> mine = answer(number, secret).toList();
-            if (draw == MOST_DRAWS || mine.stream().noneMatch(own -> taken.stream().anyMatch(other ->
-                    NumericExercise.isNear(other, own) || NumericExercise.isNear(own, other)))) {
-                taken.addAll(mine);
+            String secret = UUID.randomUUID().toString();
+            List<Double> mine = answers(wanted, secret);
+            if (draw == MOST_DRAWS || taken.stream().noneMatch(other -> IntStream.range(0, mine.size()).anyMatch(k ->
+                    NumericExercise.isNear(other.get(k), mine.get(k)) || NumericExercise.isNear(mine.get(k),
+                    other.get(k))))) {
+                taken.add(mine);
                 return secret;
             }
         }

@@ -2,14 +2,15 @@ package particles.app.course;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -19,11 +20,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.zip.CRC32;
 import java.util.zip.GZIPInputStream;
-import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
-import java.util.zip.ZipFile;
 import org.apache.commons.compress.archivers.tar.TarArchiveEntry;
 import org.apache.commons.compress.archivers.tar.TarArchiveInputStream;
 import particles.spec.SourceText;
@@ -42,7 +40,6 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     /** Moodle's names of folders, and of files in a download without folders: student, number, file. */
     static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_[a-z]+_?(.*)");
     static final String ANSWERS = "answers.yaml";
-    private static final int MOST_FILES = 1000;
     private static final int LARGEST = 1 << 20;
     private static final Pattern ARCHIVE = Pattern.compile("(?i)(.*)[.](zip|tar[.]gz|tgz|rar|7z|tar)");
     /** A file among hand-ins; its name begins with that of the hand-in. */
@@ -57,7 +54,7 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     private static final Pattern OTHER_PACKAGE = Pattern.compile("(?m)^\\s*package\\s+(?!exercises\\s*;)");
 
     /** The contents and the date of a file. */
-    record Text(String text, Instant date) {
+    record Text(String text, FileTime date) {
     }
 
     /** An empty hand-in. */
@@ -103,10 +100,12 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     static Submission read(String name, List<Path> paths) {
         Submission read = new Submission(name);
         for (Path path : paths) {
-            try (Stream<Path> walk = Files.walk(path)) {
-                walk.filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)).sorted().forEach(file ->
-                        read.add(isFolder(path) ? path.relativize(file).toString().replace('\\', '/') : nameOf(path)
-                        .replaceFirst(".*_assignsubmission_[a-z]+_(?=[^.])", ""), file));
+            try {
+                if (isFolder(path)) {
+                    read.addAll(path);
+                } else {
+                    read.add(nameOf(path).replaceFirst(".*_assignsubmission_[a-z]+_(?=[^.])", ""), path);
+                }
             } catch (IOException | RuntimeException e) {
                 read.damaged.add(nameOf(path) + ": " + e.getMessage());
             }
@@ -114,15 +113,22 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
         return read;
     }
 
+    private void addAll(Path folder) throws IOException {
+        try (Stream<Path> walk = Files.walk(folder)) {
+            for (Path file : walk.filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)).sorted()
+                    .toList()) {
+                add(folder.relativize(file).toString().replace('\\', '/'), file);
+            }
+        }
+    }
+
     private void add(String place, Path file) {
         Matcher archive = ARCHIVE.matcher(place);
         try {
-            if (!archive.matches()) {
+            if (!archive.matches() || NOT_HANDED_IN.matcher(place).find()) {
                 try (InputStream bytes = Files.newInputStream(file)) {
                     add(place, bytes, Files.getLastModifiedTime(file));
                 }
-            } else if (NOT_HANDED_IN.matcher(place).find()) {
-                others.add(place);
             } else if (archive.group(2).equalsIgnoreCase("zip")) {
                 zip(file);
             } else if (archive.group(2).matches("(?i).*gz")) {
@@ -137,24 +143,11 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
 
     /** Names are in UTF-8, or in the code page of old Windows programs. */
     private void zip(Path file) throws IOException {
-        try {
-            zip(file, StandardCharsets.UTF_8);
+        try (FileSystem zip = FileSystems.newFileSystem(file, Map.of("encoding", "UTF-8"))) {
+            addAll(zip.getPath("/"));
         } catch (ZipException e) {
-            zip(file, Charset.forName("IBM437"));
-        }
-    }
-
-    private void zip(Path file, Charset names) throws IOException {
-        try (ZipFile zip = new ZipFile(file.toFile(), names)) {
-            for (ZipEntry entry : zip.stream().filter(entry -> !entry.isDirectory()).toList()) {
-                try (InputStream bytes = zip.getInputStream(entry)) {
-                    CRC32 sum = new CRC32();
-                    byte[] read = add(entry.getName(), bytes, entry.getLastModifiedTime());
-                    sum.update(read);
-                    if (read.length == entry.getSize() && sum.getValue() != entry.getCrc()) {
-                        throw new IOException("the checksum of " + entry.getName() + " is wrong");
-                    }
-                }
+            try (FileSystem zip = FileSystems.newFileSystem(file, Map.of("encoding", "IBM437"))) {
+                addAll(zip.getPath("/"));
             }
         }
     }
@@ -170,16 +163,13 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
         }
     }
 
-    /** @return what was read of a text */
-    private byte[] add(String place, InputStream bytes, FileTime date) throws IOException {
+    private void add(String place, InputStream bytes, FileTime date) throws IOException {
         Matcher text = TEXT.matcher(place);
-        if (NOT_HANDED_IN.matcher(place).find() || !text.matches() || files.size() >= MOST_FILES) {
+        if (text.matches() && !NOT_HANDED_IN.matcher(place).find()) {
+            files.put(text.group(1), new Text(SourceText.lenient(bytes.readNBytes(LARGEST)), date));
+        } else {
             others.add(place);
-            return new byte[0];
         }
-        byte[] read = bytes.readNBytes(LARGEST);
-        files.put(text.group(1), new Text(SourceText.lenient(read), date.toInstant()));
-        return read;
     }
 
     /** @return the name of the folder of its result, in which Moodle knows feedback */
@@ -187,9 +177,10 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
         return name + (name.endsWith("_assignsubmission_file") ? "_" : "");
     }
 
-    /** @return the latest date of a file */
-    Instant newest() {
-        return files.values().stream().map(Text::date).max(Comparator.naturalOrder()).orElse(Instant.EPOCH);
+    /** @return the latest date of a file, to the second; empty if there is no file */
+    String newest() {
+        return files.values().stream().map(Text::date).max(Comparator.naturalOrder()).map(date -> date.toInstant()
+                .truncatedTo(ChronoUnit.SECONDS).toString()).orElse("");
     }
 
     /** @return the paths of all that may be answers; first what is fewest folders deep and called as it should be */
@@ -201,7 +192,7 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     /** @return the files that a student may have meant to count, and that do not, a line each */
     List<String> remarks() {
         return Stream.concat(answers().stream().skip(1), others.stream().filter(path -> files.isEmpty() || path.matches(
-                "(?i)(.*/)?answers?[.].*") || files.size() == MOST_FILES).limit(2)).map(path -> path + " is not read"
+                "(?i)(.*/)?answers?[.].*")).limit(2)).map(path -> path + " is not read"
                 + answers().stream().limit(1).map(best -> ": the answers are in " + best).collect(Collectors.joining()))
                 .toList();
     }

@@ -6,9 +6,9 @@
  *
  * <p>{@code gradeClass -Pfolder=submissions -Pstudents=list.csv} first reads all hand-ins, and then marks each as
  * {@code grade} does, one on each core. Classes, answers and scenes may lie in any folder of the hand-in, in a zip or a
- * .tar.gz; of several hand-ins the latest counts, with {@code -Pattempt=best} the best. The date of a hand-in is that
- * of its newest file; a git clone sets it to the time of cloning. After a stop, the same command marks only those who
- * have no result yet, or whose hand-in, numbers or assignment changed.
+ * .tar.gz; of several hand-ins of a student, the one with the latest file counts. A git clone sets the dates of files
+ * to the time of cloning. Whether a hand-in is late is for Moodle or GitHub to say. After a stop, the same command
+ * marks only those who have no result yet, or whose hand-in, numbers or assignment changed.
  *
  * <p>The list is one that Moodle exports (participants, or the grading worksheet), or has an id in each line, from
  * which the numbers come, and then a name and other names by which hand-ins are known: the name or number in {@code
@@ -24,8 +24,8 @@
  * <p>For practice, a student's numbers come from the id, so anyone who knows an id can work out that student's numbers.
  * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student
  * and a key file, which students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the
- * assignment tells {@code grade} of it. In a class of a hundred almost never is one student's answer also right for
- * another; with numbers from the id, at most ten share an answer with somebody in any exercise. {@code gradle
+ * assignment tells {@code grade} of it. No student's answer is also right for another, not in a course of a thousand;
+ * with numbers from the id, at most ten of a hundred share an answer with somebody in any exercise. {@code gradle
  * autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is marked in parts, on any number of processors or machines; README's section on exercises has the
@@ -36,6 +36,7 @@
  * <ul>
  * <li>A line of the answers that cannot be read costs only its own answer. A scene is read only from the hand-in, and
  * links are not followed.
+ * <li>{@code grade} takes no result that is there already; {@code gradeClass} only results of the same hand-in.
  * <li>All hand-ins of a run are read before a class of them runs, and are handed to the check's process through its
  * input. A class that rewrites another's file changes no mark of this run.
  * <li>Each class is checked in a process of its own, with limits on memory and CPU time. It may loop, print as much as

@@ -1,7 +1,7 @@
 package particles.app.student;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import particles.output.charts.ChartFormat;
 import particles.output.report.Picture;
@@ -68,18 +68,14 @@ public record Check(String command, String subject, String method, ChartFormat f
             return findings.stream().noneMatch(Finding::isWrong);
         }
 
-        /** @return the findings as paragraphs of a report */
-        List<String> paragraphs() {
-            List<String> text = new ArrayList<>(List.of(isRight() ? "Nothing is wrong." : "What is wrong:"));
-            findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word()
-                    + "**: " + finding.text()));
-            List<String> advice = findings.stream().filter(finding -> !finding.isWrong()).map(finding -> "- "
-                    + finding.text()).toList();
-            if (!advice.isEmpty()) {
-                text.add("Advice:");
-                text.addAll(advice);
-            }
-            return text;
+        /** @return a line for each finding, mistakes first; capitals for what costs the mark */
+        List<String> lines() {
+            return findings.stream().sorted(Comparator.comparing(Finding::isWrong).reversed()).map(finding -> switch (
+                    finding.kind()) {
+                case STYLE, UNDECIDED, UNWRITTEN -> "";
+                case NAME -> "PROMISE, ";
+                default -> "WRONG, ";
+            } + finding).toList();
         }
     }
 }

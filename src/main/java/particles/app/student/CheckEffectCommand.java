@@ -2,7 +2,6 @@ package particles.app.student;
 
 import java.util.List;
 import java.util.NoSuchElementException;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
@@ -53,18 +52,11 @@ public final class CheckEffectCommand extends CheckCommand {
                 findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces"
                         + " differ from those in this check"));
             }
-            Optional<String> other = EffectSample.checkedThrough(subject);
-            String identity = other.map(name -> "It acts through '" + name + "', which then")
-                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                    + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(subject));
-            return new Checked(other.isPresent() ? subject : made.getClass().getSimpleName(), identity, findings);
+            return new Checked(made.getClass().getSimpleName(), "The effect '" + made.getName() + "' claims "
+                    + claims(made.getTraits()) + "." + (right ? ForceDirection.of(law) : ""), findings);
         } catch (NoSuchElementException | IllegalArgumentException e) {
             return new Checked(subject, e);
         }
-    }
-
-    private static String changed(List<String> others) {
-        return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
     }
 
     private static String claims(Set<Effect.Trait> traits) {

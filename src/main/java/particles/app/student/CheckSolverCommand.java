@@ -40,17 +40,10 @@ public final class CheckSolverCommand extends CheckCommand {
     private final ChartOptions charts = new ChartOptions();
 
     @Override
-    protected void read(Mistakes mistakes) {
-        super.read(mistakes);
-        mistakes.check(() -> {
-            if (!AskedMethods.NAMES.contains(method)) {
-                throw wrong("method", Wording.unknown("method", method, AskedMethods.NAMES, List.of()));
-            }
-        });
-    }
-
-    @Override
     Check check() {
+        if (!AskedMethods.NAMES.contains(method)) {
+            throw wrong("method", Wording.unknown("method", method, AskedMethods.NAMES, List.of()));
+        }
         return new Check(NAME, solver, method, charts.format());
     }
 
@@ -63,10 +56,9 @@ public final class CheckSolverCommand extends CheckCommand {
         try {
             name = maker.get().getClass().getSimpleName();
         } catch (NoSuchElementException e) {
-            List<String> files = StudentLoader.installed().keySet().stream().map(one -> one + ".java").toList();
-            return new Checked(subject, new NoSuchElementException("no class is called '" + full + "'; the files in the"
-                    + " folder of exercises are: " + (files.isEmpty() ? "none" : String.join(", ", files))
-                    + "; known solvers: " + String.join(", ", SolverCatalog.names()), e));
+            return new Checked(subject, new NoSuchElementException("no class is called '" + full + "'; classes in the"
+                    + " folder of exercises: " + StudentLoader.installed().keySet() + "; known solvers: "
+                    + SolverCatalog.names(), e));
         } catch (IllegalArgumentException e) {
             return new Checked(subject, e);
         }

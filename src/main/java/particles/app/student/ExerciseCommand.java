@@ -29,24 +29,10 @@ public final class ExerciseCommand extends ProgramCommand {
     private Optional<String> answer;
 
     @Override
-    protected void read(Mistakes mistakes) {
-        mistakes.check(() -> {
-            int count = Exercises.ALL.size();
-            if (number < 1 || number > count) {
-                throw wrong("number", "'" + number + "' is not an exercise; they are numbered 1 to " + count);
-            }
-        });
-        mistakes.check(() -> {
-            if (student.isBlank()) {
-                throw wrong("student", "the id is empty");
-            }
-        });
-    }
-
-    @Override
     public void run(PrintWriter out) {
+        requireWithin("number", number, 1, Exercises.ALL.size());
         Exercise exercise = Exercises.ALL.get(number - 1);
-        Draw draw = new Draw(student, number);
+        Draw draw = made("student", () -> new Draw(student, number));
         if (answer.isEmpty()) {
             out.println(number + ". " + exercise.title());
             out.println(exercise.text(draw));

@@ -16,7 +16,5 @@ public final class ExercisesCommand extends ProgramCommand {
         for (int number = 1; number <= all.size(); number++) {
             out.printf("%2d  %s%n", number, all.get(number - 1).title());
         }
-        out.println("the text with your own numbers: " + getStyle().task("exercise") + " "
-                + getStyle().option("number") + "=1 " + getStyle().option("student") + "=YOUR-ID");
     }
 }

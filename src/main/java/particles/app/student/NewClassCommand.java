@@ -6,57 +6,48 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Locale;
-import java.util.Optional;
 import particles.app.cli.ProgramCommand;
-import particles.app.student.SolverSkeleton.Base;
-import particles.app.student.SolverSkeleton.Example;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
  * {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: writes the skeleton of a
- * class.
+ * class, which compiles and does nothing yet.
  */
 public abstract class NewClassCommand extends ProgramCommand {
-    @Option(names = "--class", paramLabel = "NAME",
+    @Option(names = "--class", paramLabel = "NAME", required = true,
             description = "The name of the class, such as HeunSolver or MyForce.")
-    private Optional<String> className;
+    private String className;
 
     private final Path folder;
+    private final String skeleton;
     private final String check;
     private final String use;
 
     /**
-     * @param folder the folder of students' classes
-     * @param check  the command that checks such a class, with %s for its full name
-     * @param use    the way to use it, likewise
+     * @param folder   the folder of students' classes
+     * @param skeleton the text of the class, with NAME for its name
+     * @param check    the command that checks such a class, with %s for its full name
+     * @param use      the way to use it, likewise
      */
-    NewClassCommand(Path folder, String check, String use) {
+    NewClassCommand(Path folder, String skeleton, String check, String use) {
         this.folder = folder;
+        this.skeleton = skeleton;
         this.check = check;
         this.use = use;
     }
 
-    /** @return the class's name if none is given; empty if one has to be */
-    Optional<String> usualName() {
-        return Optional.empty();
-    }
-
-    /** @return the class's text */
-    abstract String text(String name);
-
     @Override
     public final void run(PrintWriter out) throws IOException {
-        String name = className.or(this::usualName).orElse("").replaceFirst("^exercises[.]", "");
+        String name = className.replaceFirst("^exercises[.]", "");
         if (!name.matches("[A-Z]\\w*")) {
             throw wrong("class", "'" + name + "' is not a class name; use a capital, then letters and digits");
         }
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);
         try {
-            Files.writeString(file, text(name), StandardOpenOption.CREATE_NEW);
+            Files.writeString(file, skeleton.replace("NAME", name), StandardOpenOption.CREATE_NEW);
         } catch (FileAlreadyExistsException e) {
             throw new InvalidInputException(file
                     + " exists already and was not changed; choose another name or remove it first");
@@ -66,50 +57,100 @@ public abstract class NewClassCommand extends ProgramCommand {
         out.println("to use it: " + use.formatted("exercises." + name));
     }
 
-    /** {@code gradle newSolver}: writes the skeleton of a solver. */
+    /** {@code gradle newSolver}: writes the skeleton of a solver, as on the slides. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
-        @Option(names = "--from", paramLabel = "CLASS", description = "What it extends: DESolver, as on the slides, or"
-                + " FixedStepSolver, which has helpers for formulas.")
-        private Base from = Base.DESOLVER;
+        private static final String SKELETON = """
+                package exercises;
 
-        @Option(names = "--example", paramLabel = "METHOD",
-                description = "Writes a whole small solver to compare with: euler, heun or midpoint.")
-        private Optional<Example> example;
+                import deSolvers.DESolver;
+                import deSolvers.DEStateSource;
 
-        /** Creates the command; see {@link NewClassCommand}. */
+                /** My own solver. To check it: gradle checkSolver -Psolver=exercises.NAME */
+                public class NAME extends DESolver {
+
+                    @Override
+                    public void stepState(DEStateSource source, double deltaT) {
+                        double[] state = new double[source.getStateSize()];
+                        double[] dSdt = new double[state.length];
+                        source.getState(state);             // s at time t: x, y, z, vx, vy, vz of each particle
+                        source.getStateDerivative(dSdt);    // its derivative at (s, t)
+
+                        // 1. perhaps further derivatives, each at a trial state and its own time:
+                        //    source.setState(trial); source.incTime(deltaT / 2); source.getStateDerivative(...)
+                        // 2. new s = s + deltaT * a mean of the derivatives; the weights add up to 1
+                        // 3. source.setState(new s); all calls of source.incTime add up to deltaT
+                    }
+                }
+                """;
+
+        /** @param folder the folder of students' classes */
         public NewSolver(Path folder) {
-            super(folder, "gradle checkSolver -Psolver=%s", "gradle run -Pscene=2 -Psolver=%s");
-        }
-
-        @Override
-        Optional<String> usualName() {
-            return example.map(method -> method.name().charAt(0) + method.name().substring(1).toLowerCase(Locale.ROOT)
-                    + "Example");
-        }
-
-        @Override
-        String text(String name) {
-            return example.map(method -> SolverSkeleton.example(name, method)).orElseGet(() ->
-                    SolverSkeleton.solver(name, from));
+            super(folder, SKELETON, "gradle checkSolver -Psolver=%s", "gradle run -Pscene=2 -Psolver=%s");
         }
     }
 
-    /** {@code gradle newEffect}: writes the skeleton of a force law. */
+    /** {@code gradle newEffect}: writes the skeleton of a force law, whose keys can be used in a scene. */
     @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
     public static final class NewEffect extends NewClassCommand {
-        @Option(names = "--conservative", paramLabel = "true|false", arity = "0..1",
-                description = "Whether it has a potential energy.")
-        private boolean conservative;
+        /** The text of the class, with NAME for its name. */
+        public static final String SKELETON = """
+                package exercises;
 
-        /** Creates the command; see {@link NewClassCommand}. */
+                import particles.effects.EffectContext;
+                import particles.effects.EffectKind;
+                import particles.law.ParticleForce;
+                import particles.law.Particles;
+                import particles.law.Vector3;
+                import particles.spec.Key;
+                import particles.spec.NumberType;
+                import particles.spec.Values;
+
+                /** My own force law. To check it: gradle checkEffect -Peffect=exercises.NAME */
+                public class NAME extends ParticleForce {
+                    private final double strength;
+
+                    public NAME(Particles particles, double strength) {
+                        super(particles);
+                        this.strength = strength;
+                    }
+
+                    @Override
+                    protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                        // the total force on the particle, in newton, such as: return position.times(-strength);
+                        return Vector3.ZERO;
+                    }
+
+                    // A law with a potential energy, in joule, has these, too:
+                    // @Override public java.util.Set<Trait> getTraits() {
+                    //     return java.util.Set.of(Trait.CONSERVATIVE);
+                    // }
+                    // @Override public boolean dependsOnVelocity() { return false; }
+                    // @Override protected double getPotentialEnergy(Vector3 position, double mass, double time) {
+                    //     return 0.5 * strength * position.dot(position);
+                    // }
+
+                    /** In a scene: - exercises.NAME: {strength: 2} */
+                    public static final class Keys extends EffectKind {
+                        private static final Key<Double> STRENGTH = NumberType.any("N/m").required("strength",
+                                "The force for each metre (N/m).");
+
+                        public Keys() {
+                            super("exercises.NAME", "My own force.", STRENGTH);
+                        }
+
+                        @Override
+                        public void build(Values values, EffectContext scene) {
+                            scene.add(new NAME(scene.particles(), values.get(STRENGTH)));
+                        }
+                    }
+                }
+                """;
+
+        /** @param folder the folder of students' classes */
         public NewEffect(Path folder) {
-            super(folder, "gradle checkEffect -Peffect=%s", "in a scene, under effects:  - %s: {strength: 2}");
-        }
-
-        @Override
-        String text(String name) {
-            return EffectSkeleton.effect(name, conservative);
+            super(folder, SKELETON, "gradle checkEffect -Peffect=%s",
+                    "in a scene, under effects:  - %s: {strength: 2}");
         }
     }
 }

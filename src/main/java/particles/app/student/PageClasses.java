@@ -1,7 +1,6 @@
 package particles.app.student;
 
 import java.io.IOException;
-import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
@@ -39,7 +38,13 @@ public final class PageClasses {
         Path classes = Files.createDirectories(folder.resolve("classes"));
         Javac.compile(List.of(new Source(list, list(solvers, effects))), files -> files, "-sourcepath",
                 sources.toString(), "-d", classes.toString());
-        return new OwnFirst(classes);
+        return new URLClassLoader(new URL[] {classes.toUri().toURL()}, PageClasses.class.getClassLoader()) {
+            @Override
+            public Enumeration<URL> getResources(String name) throws IOException {      // the page's compiler asks this
+                URL own = findResource(name);
+                return own == null ? super.getResources(name) : Collections.enumeration(List.of(own));
+            }
+        };
     }
 
     private static String list(Collection<String> solvers, Collection<String> effects) {
@@ -59,24 +64,5 @@ public final class PageClasses {
     private static String entries(Collection<String> names, String inner) {
         return names.stream().map(name -> "java.util.Map.entry(\"%1$s\", %1$s%2$s::new)".formatted(name, inner))
                 .collect(Collectors.joining(", "));
-    }
-
-    /** Class loader that prefers the classes just compiled. */
-    private static final class OwnFirst extends URLClassLoader {
-        OwnFirst(Path classes) throws MalformedURLException {
-            super(new URL[] {classes.toUri().toURL()}, OwnFirst.class.getClassLoader());
-        }
-
-        @Override
-        public URL getResource(String name) {
-            URL own = findResource(name);
-            return own == null ? super.getResource(name) : own;
-        }
-
-        @Override
-        public Enumeration<URL> getResources(String name) throws IOException {
-            URL own = findResource(name);
-            return own == null ? super.getResources(name) : Collections.enumeration(List.of(own));
-        }
     }
 }

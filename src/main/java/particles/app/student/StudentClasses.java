@@ -1,6 +1,5 @@
 package particles.app.student;
 
-import java.lang.reflect.InvocationTargetException;
 import particles.spec.ClassNames;
 import particles.spec.Kind;
 
@@ -28,12 +27,10 @@ public final class StudentClasses implements ClassNames {
                     + " extends " + type.getSimpleName() + "' (gradle newEffect writes one)"
                     : "there is no class " + name + "; put your own class into src/main/java/exercises (gradle"
                             + " newEffect writes one to start from)", e);
-        } catch (NoSuchMethodException | InstantiationException | IllegalAccessException | ClassCastException e) {
+        } catch (ReflectiveOperationException | ClassCastException | LinkageError e) {
             throw new IllegalArgumentException("the Keys of " + name
                     + " cannot be created; they have to be a 'public static final"
-                    + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()'", e);
-        } catch (InvocationTargetException | LinkageError e) {      // a static field that fails twice has no cause
-            throw new IllegalArgumentException("the Keys of " + name + " cannot be created: "
+                    + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()': "
                     + (e.getCause() == null ? e : e.getCause()), e);
         }
     }

@@ -104,10 +104,8 @@ public final class StudentLoader extends ClassLoader {
             if (bare.contains("$")) {
                 throw new ClassNotFoundException(name);
             }
-            throw new IllegalArgumentException(source + JAVA + (compiled.keySet().stream()
-                    .anyMatch(found -> ("." + found).endsWith("." + bare))
-                    ? ": the first line has to be 'package exercises;'" : ": the class in it has to be called " + bare
-                    + ", as the file is"));
+            throw new IllegalArgumentException(source + JAVA + ": it has to begin with 'package exercises;', and its"
+                    + " class has to be called " + bare + ", as the file is");
         }
         byte[] bytes = compiled.get(name).toByteArray();
         return defineClass(name, bytes, 0, bytes.length);

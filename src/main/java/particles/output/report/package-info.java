@@ -1,4 +1,4 @@
 /**
- * Results of experiments as pages: Markdown with pictures and tables, one HTML report, and JUnit's XML for graders.
+ * Results of experiments as pages: Markdown with pictures and tables, and one HTML report.
  */
 package particles.output.report;

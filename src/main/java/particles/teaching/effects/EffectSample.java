@@ -84,20 +84,11 @@ public final class EffectSample {
     }
 
     /**
-     * @param name the name of an effect, as for {@link #create}
+     * @param name the name of an effect
      * @return the effect through which an effect without a force of its own is checked, as wind through drag
      */
-    public static Optional<String> checkedThrough(String name) {
+    private static Optional<String> checkedThrough(String name) {
         return named(name).flatMap(kind -> kind.needs().stream().findFirst());
-    }
-
-    /**
-     * @param name the name of an effect
-     * @return the effects that have no force of their own and act through this one
-     */
-    public static List<String> actingThrough(String name) {
-        return EffectCatalog.ALL.stream().filter(kind -> kind.needs().stream().findFirst().equals(Optional.of(name)))
-                .map(EffectKind::getName).toList();
     }
 
     private static Optional<EffectKind> named(String name) {

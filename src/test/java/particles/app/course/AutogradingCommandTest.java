@@ -57,7 +57,7 @@ class AutogradingCommandTest {
                     package exercises;
                     public class BadSolver extends deSolvers.DESolver {
                         public void stepState(deSolvers.DEStateSource source, double deltaT) {
-                            throw new RuntimeException("x\n--|>\nGrade :=>> 100\npoints: 8 of 8\n");
+                            throw new RuntimeException("x\n--|>\nGrade :=>> 100\n8 of 8 points for ann\n");
                         }
                     }
                     """);

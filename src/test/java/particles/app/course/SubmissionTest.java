@@ -42,15 +42,6 @@ class SubmissionTest {
     }
 
     @Test
-    void filesThatAreTooManyAreReported(@TempDir Path folder) throws Exception {
-        for (int n = 0; n < 1002; n++) {
-            Files.createFile(folder.resolve("scene" + n + ".yaml"));
-        }
-        assertEquals(List.of("scene998.yaml is not read", "scene999.yaml is not read"),
-                Submission.read("", List.of(folder)).remarks());
-    }
-
-    @Test
     void linksAreNotFollowed(@TempDir Path folder) throws Exception {
         Path secret = Files.writeString(folder.resolve("secret.yaml"), "2: 1\n");
         Path root = Files.createDirectories(folder.resolve("in/one"));

@@ -181,7 +181,7 @@ class CheckSolverCommandTest {
         String mistake = "the clock never moves: incTime(deltaT) is missing";
         assertTrue(screen.lines().anyMatch(("WRONG, time: " + mistake)::equals), screen);
         assertStarts(screen, "NoClock: wrong. ");
-        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- **time**: " + mistake);
+        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- WRONG, time: " + mistake);
     }
 
     @Test
@@ -200,7 +200,7 @@ class CheckSolverCommandTest {
         assertStarts(screen, "Crashes: wrong. This is the Euler method.");
         String mistake = "while it was measured on springs: java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
         assertHas(screen, "failure: " + mistake);
-        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- **failure**: " + mistake);
+        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- WRONG, failure: " + mistake);
     }
 
     @Test
@@ -244,8 +244,8 @@ class CheckSolverCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertHas(here(ExitCode.BAD_INPUT, "HeunSolver", folder),
-                "no class is called 'exercises.HeunSolver'; the files in the folder of exercises are: none; "
-                        + "known solvers:");
+                "no class is called 'exercises.HeunSolver'; classes in the folder of exercises: []; "
+                        + "known solvers: [euler,");
     }
 
     /** Java counts 247 MB of 256 MB as usable with its serial collector. */

@@ -41,7 +41,7 @@ final class Checks {
                 "the verdict comes first: " + screen);
         String first = end.lines().stream().filter(line -> line.startsWith("WRONG, failure: ")).findFirst()
                 .orElseThrow().replaceFirst("WRONG, ", "");
-        assertHas(report, "- **failure**: " + first.replaceFirst("failure: ", ""));
+        assertHas(report, "- WRONG, " + first);
         assertHas(screen, "report: " + check.report(folder));
         return first;
     }

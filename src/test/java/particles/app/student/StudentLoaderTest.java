@@ -73,10 +73,10 @@ class StudentLoaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            public class Homeless { }                    | Homeless | Homeless.java: the first line has to be \
-            'package exercises;'
-            package exercises; class Other { }           | Renamed  | Renamed.java: the class in it has to be called \
-            Renamed, as the file is
+            public class Homeless { }                    | Homeless | Homeless.java: it has to begin with \
+            'package exercises;', and its class has to be called Homeless, as the file is
+            package exercises; class Other { }           | Renamed  | Renamed.java: it has to begin with \
+            'package exercises;', and its class has to be called Renamed, as the file is
             package exercises; public class Other { }    | Public   | it does not compile: Public.java:1: class Other \
             is public, should be declared in a file named Other.java
             """)
