@@ -176,12 +176,12 @@ class OwnEffectTest {
 
     @Test
     void anUnusableClassIsOneLine() throws IOException {
-        assertRefused("5: there is no class exercises.Missing; put your own class into src/main/java/exercises"
-                + " (gradle newEffect writes one to start from)", "exercises.Missing: {strength: 2}");
+        assertRefused("5: there is no class exercises.Missing with a 'public static final class Keys extends EffectKind'"
+                + " in src/main/java/exercises; gradle newEffect writes one", "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");
         assertRefused("""
-                5: exercises.Bare declares no keys for scenes; it needs a 'public static final class Keys extends \
-                EffectKind' (gradle newEffect writes one)""", "exercises.Bare");
+                5: there is no class exercises.Bare with a 'public static final class Keys extends EffectKind' in \
+                src/main/java/exercises; gradle newEffect writes one""", "exercises.Bare");
         write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
         assertRefused("5: it does not compile: Broken.java:3: cannot find symbol: variable y", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));

@@ -29,7 +29,6 @@ import particles.view.DataTable;
 /** The tables of a class: for people class.html, class.md and CSV; for Moodle its grading worksheet. */
 final class ClassTables {
     private static final String WORKSHEET = "worksheet.csv";
-    private static final int MOST_COMMON = 10;
 
     private final ClassList list;
     private final List<Result> results;
@@ -81,7 +80,7 @@ final class ClassTables {
                 && !row.item().mistake().isEmpty()).map(row -> row.item().name() + ": " + row.item().mistake())
                 .collect(Collectors.groupingBy(Function.identity(), TreeMap::new, Collectors.counting()));
         DataTable common = DataTable.of("mistakes", "The commonest mistakes", counts.entrySet().stream()
-                .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).limit(MOST_COMMON).toList(),
+                .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).toList(),
                 column("students", Map.Entry::getValue), column("mistake", Map.Entry::getKey));
         ResultPage page = new ResultPage("class", Draw.text(results.stream().mapToDouble(Result::points).sum())
                 + " points for " + results.size() + " students", list.remarks(), List.of(), List.of(each, common, all));

@@ -2,9 +2,7 @@ package particles.app.student;
 
 import deSolvers.DESolver;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.teaching.declared.Method;
 import particles.teaching.solvers.SolverCheck;
@@ -15,11 +13,9 @@ public final class AskedMethods {
     /** In place of a method: any right one, or the one that the name of the class declares. */
     public static final String ANY = "any";
 
-    private static final Map<String, Method> METHODS = Method.declarable().stream().collect(Collectors
-            .toUnmodifiableMap(Method::option, method -> method));
-
     /** The names; the last one is {@link #ANY}. */
-    public static final List<String> NAMES = Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
+    public static final List<String> NAMES = Stream.concat(Method.declarable().stream().map(Method::option).sorted(),
+            Stream.of(ANY)).toList();
 
     private AskedMethods() {
     }
@@ -33,6 +29,7 @@ public final class AskedMethods {
      * @return the verdict
      */
     static SolverVerdict check(Supplier<DESolver> maker, String className, String method) {
-        return method.equals(ANY) ? SolverCheck.check(maker, className) : SolverCheck.check(maker, METHODS.get(method));
+        return Method.declarable().stream().filter(one -> one.option().equals(method)).findFirst().map(one ->
+                SolverCheck.check(maker, one)).orElseGet(() -> SolverCheck.check(maker, className));
     }
 }

@@ -18,29 +18,18 @@ public final class StudentClasses implements ClassNames {
     }
 
     private static <K extends Kind> K make(String name, Class<K> type) {
-        ClassLoader loader = Thread.currentThread().getContextClassLoader();
         try {
-            return Class.forName(name + KEYS, true, loader).asSubclass(type).getConstructor().newInstance();
+            return Class.forName(name + KEYS, true, Thread.currentThread().getContextClassLoader()).asSubclass(type)
+                    .getConstructor().newInstance();
         } catch (ClassNotFoundException e) {
-            throw new IllegalArgumentException(isThere(name, loader) ? name
-                    + " declares no keys for scenes; it needs a 'public static final class Keys"
-                    + " extends " + type.getSimpleName() + "' (gradle newEffect writes one)"
-                    : "there is no class " + name + "; put your own class into src/main/java/exercises (gradle"
-                            + " newEffect writes one to start from)", e);
+            throw new IllegalArgumentException("there is no class " + name + " with a 'public static final class Keys"
+                    + " extends " + type.getSimpleName() + "' in src/main/java/exercises; gradle newEffect writes one",
+                    e);
         } catch (ReflectiveOperationException | ClassCastException | LinkageError e) {
             throw new IllegalArgumentException("the Keys of " + name
                     + " cannot be created; they have to be a 'public static final"
                     + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()': "
                     + (e.getCause() == null ? e : e.getCause()), e);
-        }
-    }
-
-    private static boolean isThere(String name, ClassLoader loader) {
-        try {
-            Class.forName(name, false, loader);
-            return true;
-        } catch (ClassNotFoundException e) {
-            return false;
         }
     }
 }

@@ -95,8 +95,8 @@ class CheckEffectCommandTest {
                 damped-springs, drag, gravity, penaltyPlane, penaltySphere, push, quadraticDrag, repulsion, \
                 springs, turbulence, vortex, wind""");
         assertHas(here(ExitCode.BAD_INPUT, "MyGravity", folder), """
-                there is no class exercises.MyGravity; put your own class into src/main/java/exercises (gradle \
-                newEffect writes one to start from)""");
+                there is no class exercises.MyGravity with a 'public static final class Keys extends EffectKind' in \
+                src/main/java/exercises; gradle newEffect writes one""");
     }
 
     @ParameterizedTest
