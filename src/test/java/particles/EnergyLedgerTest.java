@@ -136,8 +136,8 @@ class EnergyLedgerTest {
 
     /**
      * A step of 10 s, in which springs swing about ten times, is far too long for Simpson's rule; its sub-steps are
-     * not. Those of bulirsch-stoer are long too, and then the ledger says so. Measured error, as a part of the
-     * uncertainty: 0.0011, 0.0052, 0.048 and 0.0054.
+     * not. Those of bulirsch-stoer are long too, up to a quarter of the gusts' period, and then the ledger says so.
+     * Measured error, as a part of the uncertainty: 0.0011, 0.0052, 0.048 and 0.0054.
      */
     @ParameterizedTest
     @CsvSource(textBlock = """

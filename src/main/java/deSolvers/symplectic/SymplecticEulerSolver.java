@@ -18,7 +18,8 @@ import deSolvers.DEStateSource;
  * from (1, 0) the energy error stays below h/(2 - h) of the energy for ever; x<sup>2</sup> + v<sup>2</sup> - h x v
  * stays exactly the same.<br>
  * <b>When to use</b> games and first animations: one evaluation, robust; not where phase or amplitude matter, since
- * {@code verlet} costs the same and has order 2. It is not reversible.<br>
+ * {@code verlet} costs the same and has order 2, nor on rods and wires, where the energy grows. It is not
+ * reversible.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "A Simple Particle System Algorithm"; R. de Vogelaere (1956).
  */
 public final class SymplecticEulerSolver extends SymplecticSolver {

@@ -18,7 +18,7 @@ import deSolvers.DEStateSource;
  * the iteration fails. On x'' = -x from (1, 0) the energy error stays below h<sup>2</sup>/4 of the energy for ever.
  * Reversible: a step back leads to where the step began.<br>
  * <b>When to use</b> long undamped motion; the default of molecular dynamics and astronomy. Not with strong damping,
- * which needs an implicit solver.<br>
+ * which needs an implicit solver; on rods and wires the energy drifts slowly.<br>
  * <b>Source</b> L. Verlet (1967); W. C. Swope et al. (1982), J. Chem. Phys. 76, 637.
  */
 public final class VelocityVerletSolver extends SymplecticSolver {
