@@ -1,22 +1,26 @@
 package particles.view;
 
-import java.util.stream.IntStream;
-
 /**
- * The vector field ds/dt of one degree of freedom over its state space: the arrows on the slide "Vectors show the
- * vector field" for s = (x, v). Arrow k stands at (x[k], v[k]) and points along (v[k], dv[k]). The arrows fill a grid of
- * equal cells, row by row, from the lowest x and v.
+ * The vector field ds/dt of one degree of freedom over a grid in its state space: the arrows on the slide "Vectors show
+ * the vector field" for s = (x, v). Arrow k stands at (x(k), v(k)) and points along (v(k), dv[k]).
  *
- * @param x  positions (m)
- * @param v  velocities (m/s)
- * @param dv rates of the velocities, the accelerations (m/s&sup2;)
+ * @param positions  the positions of the grid, rising in equal steps (m)
+ * @param velocities its velocities, rising in equal steps (m/s)
+ * @param dv         rates of the velocities, the accelerations, row by row from the lowest velocity (m/s&sup2;)
  */
-public record VectorField(double[] x, double[] v, double[] dv) {
-    /** @return arrows at all pairs of these positions and velocities, with accelerations of 0 as yet */
-    public static VectorField over(double[] positions, double[] velocities) {
-        int n = positions.length * velocities.length;
-        double[] x = IntStream.range(0, n).mapToDouble(k -> positions[k % positions.length]).toArray();
-        double[] v = IntStream.range(0, n).mapToDouble(k -> velocities[k / positions.length]).toArray();
-        return new VectorField(x, v, new double[n]);
+public record VectorField(double[] positions, double[] velocities, double[] dv) {
+    /** Creates a field with accelerations of 0 as yet. */
+    public VectorField(double[] positions, double[] velocities) {
+        this(positions, velocities, new double[positions.length * velocities.length]);
+    }
+
+    /** @return the position of arrow k (m) */
+    public double x(int k) {
+        return positions[k % positions.length];
+    }
+
+    /** @return the velocity of arrow k (m/s) */
+    public double v(int k) {
+        return velocities[k / positions.length];
     }
 }

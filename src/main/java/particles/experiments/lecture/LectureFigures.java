@@ -126,8 +126,8 @@ public final class LectureFigures {
      */
     public static VectorField field(double reach) {
         double[] axis = IntStream.range(0, ARROWS).mapToDouble(k -> reach * (2.0 * k / (ARROWS - 1) - 1)).toArray();
-        VectorField field = VectorField.over(axis, axis);
-        Arrays.setAll(field.dv(), k -> -field.x()[k]);
+        VectorField field = new VectorField(axis, axis);
+        Arrays.setAll(field.dv(), k -> -field.x(k));
         return field;
     }
 

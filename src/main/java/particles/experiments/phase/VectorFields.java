@@ -48,12 +48,12 @@ public final class VectorFields {
         int first = Particles.STRIDE * free[0];
         int along = first + axis.ordinal();
         double speedAcross = across(state, first + 3, axis);
-        VectorField field = VectorField.over(xs, vs);
+        VectorField field = new VectorField(xs, vs);
         double largest = 0;
         double largestAcross = 0;
-        for (int k = 0; k < field.x().length; k++) {
-            state[along] = field.x()[k];
-            state[along + 3] = field.v()[k];
+        for (int k = 0; k < field.dv().length; k++) {
+            state[along] = field.x(k);
+            state[along + 3] = field.v(k);
             system.addUpEffects(state, system.getTime(), force);
             field.dv()[k] = force[along + 3] * particles.getInverseMasses()[free[0]];
             largest = Math.max(largest, Math.abs(force[along + 3]));

@@ -31,9 +31,6 @@ final class Axes {
     private static final double LINE = 20;
     /** The width of a number such as -1.5e-15 with its margins. */
     private static final double NUMBER = 64;
-    /** Of labels wider than this, only few have room. */
-    private static final double WIDE = 36;
-    private static final int FEW = 5;
     /** From this power of ten on, zeros would have to be counted. */
     private static final int LARGE = 5;
     /** Removes the round-off of a tick's value. */
@@ -56,11 +53,6 @@ final class Axes {
             NumberAxis linear = new NumberAxis();
             linear.setRange(values == null ? new Range(0, 1) : numbers(values, margin));
             setTicks(linear, linear.getRange().getLength() / most);
-            double unit = linear.getTickUnit().getSize();
-            String last = text(unit * Math.floor(linear.getUpperBound() / unit));
-            if (width(ChartStyle.TICKS, last) > WIDE) {
-                setTicks(linear, linear.getRange().getLength() / FEW);
-            }
             made = linear;
         }
         made.setLabel(axis.label());

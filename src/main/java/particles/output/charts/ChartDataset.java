@@ -2,6 +2,7 @@ package particles.output.charts;
 
 import java.util.List;
 import org.jfree.data.xy.DefaultXYDataset;
+import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.Series;
 
@@ -20,16 +21,17 @@ final class ChartDataset extends DefaultXYDataset {
         for (int k = 0; k < series.size(); k++) {
             double[][] points = {series.get(k).x().clone(), series.get(k).y().clone()};
             for (int p = 0; p < points[0].length; p++) {
-                double x = points[0][p];
-                double y = points[1][p];
-                if (!Double.isFinite(x) || !Double.isFinite(y) || x <= 0 && chart.x().log()
-                        || y <= 0 && chart.y().log()) {
+                if (!isDrawn(chart.x(), points[0][p]) || !isDrawn(chart.y(), points[1][p])) {
                     points[0][p] = Double.NaN;
                     points[1][p] = Double.NaN;
                 }
             }
             addSeries(k, points);
         }
+    }
+
+    private static boolean isDrawn(Axis axis, double value) {
+        return Double.isFinite(value) && (value > 0 || !axis.log());
     }
 
     Series series(int k) {

@@ -28,13 +28,14 @@ public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
      */
     public static ChartPage of(Panel panel, ChartFormat format) {
         JFreeChart chart = Charts.of(panel, false, format);
-        boolean round = Charts.plots(chart).stream().allMatch(ChartPlot::isRound);
+        boolean round = Charts.plots(chart).stream().allMatch(plot -> plot.round);
         LegendTitle legend = Charts.legend(Charts.plots(chart), format);
-        // below a round chart on a wide page it would make that small
-        legend.setPosition(round && format.slide() ? RectangleEdge.RIGHT : RectangleEdge.BOTTOM);
-        int rows = panel.charts().stream().mapToInt(Charts::heightOfRows).max().orElse(0);
+        if (round && format.slide()) {                  // below a round chart on a wide page it would make that small
+            legend.setPosition(RectangleEdge.RIGHT);
+        }
         long ofQuantities = panel.charts().stream().filter(data -> data.rows().isEmpty()).count();
         return Charts.page(chart, legend, format.width(round ? SQUARE_WIDTH : WIDTH),
-                format.height(round ? SQUARE_HEIGHT : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + rows));
+                format.height(round ? SQUARE_HEIGHT : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT)
+                + Charts.heightOfRows(panel)));
     }
 }

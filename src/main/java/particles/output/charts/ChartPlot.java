@@ -1,6 +1,5 @@
 package particles.output.charts;
 
-import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -27,9 +26,11 @@ final class ChartPlot extends XYPlot {
     private static final double ALIKE = 1.34;
 
     final transient EndLabels ends;
+    /** The room at the left, for the axis, and at the right, for the names of lines. */
+    final AxisSpace beside = new AxisSpace();
+    /** Whether a unit along x is as long as one along y. */
+    boolean round;
     private final Panel.Kind kind;
-    private final AxisSpace beside = new AxisSpace();
-    private boolean round;
 
     /**
      * @param ticks  the largest number of ticks along x
@@ -46,8 +47,8 @@ final class ChartPlot extends XYPlot {
                 : Axes.rows(chart.y().label(), chart.rows()));
         setRenderer(SeriesRenderer.of(layers, kind == Panel.Kind.PHASE, format));
         setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
-        setDomainGridlineStroke(new BasicStroke(0.7f));
-        setRangeGridlineStroke(new BasicStroke(0.7f));
+        setDomainGridlineStroke(ChartStyle.THIN);
+        setRangeGridlineStroke(ChartStyle.THIN);
         setInsets(RectangleInsets.ZERO_INSETS);
         setFixedDomainAxisSpace(Axes.below());
         ends = new EndLabels(this, kind == Panel.Kind.CHART, format);
@@ -86,20 +87,11 @@ final class ChartPlot extends XYPlot {
         return x.getLength() < ALIKE * y.getLength() && y.getLength() < ALIKE * x.getLength();
     }
 
-    /** @return whether a unit along x is as long as one along y */
-    boolean isRound() {
-        return round;
-    }
-
     /** Sets the room at the left, for the axis, and at the right, for the names of lines. */
     void setRoom(double left, double right) {
         beside.setLeft(left);
         beside.setRight(right);
         setFixedRangeAxisSpace(beside);
-    }
-
-    AxisSpace getRoom() {
-        return beside;
     }
 
     /** Charts above each other forget their fixed room before they take the largest of all. */

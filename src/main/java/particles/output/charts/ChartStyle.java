@@ -7,7 +7,6 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.jfree.chart.util.ShapeUtils;
@@ -57,8 +56,8 @@ public final class ChartStyle {
     /** The mark of a failure: a diagonal cross, larger than any mark of a result. */
     public static final Shape FAILURE = ShapeUtils.createDiagonalCross(3.9f, 1.3f);
 
-    /** The mark of a run that was given up: a ring. */
-    static final Shape GIVEN_UP = ring(4.2, 2.2);
+    /** The mark of a run that was given up, hollow. */
+    static final Shape GIVEN_UP = disc(3.6);
 
     private ChartStyle() {
     }
@@ -71,9 +70,8 @@ public final class ChartStyle {
     /** @return the line of a look's variant */
     public static Stroke stroke(int k) {
         float[] dashes = DASHES.get(k % DASHES.size());
-        float width = k == 0 ? 1.6f : 1.9f;
-        return dashes.length == 0 ? new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
-                : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
+        return new BasicStroke(k == 0 ? 1.6f : 1.9f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1,
+                dashes.length == 0 ? null : dashes, 0);
     }
 
     /** @return the points of a look's variant */
@@ -83,12 +81,5 @@ public final class ChartStyle {
 
     static Shape disc(double radius) {
         return new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
-    }
-
-    private static Shape ring(double outer, double inner) {
-        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
-        path.append(disc(outer), false);
-        path.append(disc(inner), false);
-        return path;
     }
 }

@@ -42,14 +42,13 @@ final class Charts {
      */
     static JFreeChart of(Panel panel, boolean narrow, ChartFormat format) {
         XYPlot plot = panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel, format)
-                : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 6 : 10, 8,
+                : panel.charts().size() == 1 ? new ChartPlot(panel.charts().get(0), panel.kind(), narrow ? 5 : 8, 8,
                 format) : stacked(panel, narrow, format);
         return titled(panel.title(), panel.answer(), plot, narrow, format);
     }
 
     static JFreeChart titled(String title, String answer, Plot plot, boolean narrow, ChartFormat format) {
         JFreeChart chart = new JFreeChart(title, null, plot, false);
-        chart.getTitle().setMargin(2, 0, 2, 0);
         TextTitle below = new TextTitle(answer);
         below.setMargin(0, 0, 6, 0);
         chart.addSubtitle(below);
@@ -83,7 +82,7 @@ final class Charts {
 
     /** Charts over the x axis of the first. The uppermost one has more room; rows have a fixed height. */
     private static XYPlot stacked(Panel panel, boolean narrow, ChartFormat format) {
-        int ticks = narrow ? 6 : 10;
+        int ticks = narrow ? 5 : 8;
         Chart first = panel.charts().get(0);
         Range x = panel.charts().stream().map(chart -> ChartPlot.shown(chart, true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(Axes.of(first.x(), x, ChartPlot.onlyLines(first), ticks));
@@ -94,15 +93,19 @@ final class Charts {
         for (Chart chart : panel.charts()) {
             ChartPlot plot = new ChartPlot(chart, panel.kind(), ticks, chart == first ? 8 : 6, format);
             plot.setFixedDomainAxisSpace(null);
-            all.add(plot, !chart.rows().isEmpty() ? heightOfRows(chart) - GAP : chart != first ? LOWER
+            all.add(plot, !chart.rows().isEmpty() ? heightOfRows(chart) : chart != first ? LOWER
                     : several ? UPPERMOST : narrow ? CELL : MAIN);
         }
         return all;
     }
 
-    /** @return the height that a chart's rows add to a page; 0 if it is one of a quantity */
-    static int heightOfRows(Chart chart) {
-        return chart.rows().isEmpty() ? 0 : ROW * (chart.rows().size() + 1) + GAP;
+    /** @return the height that charts of rows add to a page */
+    static int heightOfRows(Panel panel) {
+        return panel.charts().stream().mapToInt(chart -> chart.rows().isEmpty() ? 0 : GAP + heightOfRows(chart)).sum();
+    }
+
+    private static int heightOfRows(Chart chart) {
+        return ROW * (chart.rows().size() + 1);
     }
 
     static List<ChartPlot> plots(JFreeChart chart) {
@@ -127,9 +130,9 @@ final class Charts {
             }
         }
         LegendTitle legend = new LegendTitle(() -> items);
+        legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemFont(ChartStyle.LABEL);
         legend.setItemPaint(format.on(ChartStyle.TEXT));
-        legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
         return legend;
     }

@@ -47,7 +47,7 @@ final class DecadeAxis extends LogAxis {
     private static double[] at(Range range, int step, double[] digits) {
         int first = (int) Math.floor(Math.log10(range.getLowerBound()) / step) * step;
         int last = (int) Math.ceil(Math.log10(range.getUpperBound()));
-        return IntStream.rangeClosed(first, last).filter(power -> (power - first) % step == 0).boxed()
+        return IntStream.iterate(first, power -> power <= last, power -> power + step).boxed()
                 .flatMapToDouble(power -> DoubleStream.of(digits).map(digit -> digit * Math.pow(10, power)))
                 .filter(range::contains).toArray();
     }

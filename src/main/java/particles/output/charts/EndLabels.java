@@ -7,9 +7,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
@@ -66,21 +64,27 @@ final class EndLabels {
 
     /** @param area the rectangle of the chart's points */
     void draw(Graphics2D g, Rectangle2D area) {
-        Map<Integer, Point2D> ends = new HashMap<>();
-        labelled.forEach(k -> ends.put(k, new Point2D.Double(
-                inside(plot.getDomainAxis(), data.getXValue(k, data.last(k)), area, RectangleEdge.BOTTOM),
-                inside(plot.getRangeAxis(), data.getYValue(k, data.last(k)), area, RectangleEdge.LEFT))));
-        List<Integer> sorted = labelled.stream().sorted(Comparator.comparing(k -> ends.get(k).getY())).toList();
-        double[] places = spread(sorted.stream().mapToDouble(k -> ends.get(k).getY()).toArray(), LINE,
+        List<Integer> sorted = labelled.stream().sorted(Comparator.comparing(k -> end(k, area).getY())).toList();
+        double[] places = spread(sorted.stream().mapToDouble(k -> end(k, area).getY()).toArray(), LINE,
                 area.getMinY() + LINE / 2, area.getMaxY() - LINE / 2);
         for (int n = 0; n < places.length; n++) {
-            draw(g, sorted.get(n), ends.get(sorted.get(n)), area, places[n]);
+            draw(g, sorted.get(n), area, places[n]);
         }
     }
 
+    /** The place of a line's last point, or where the line leaves the chart. */
+    private Point2D end(int k, Rectangle2D area) {
+        ValueAxis x = plot.getDomainAxis();
+        ValueAxis y = plot.getRangeAxis();
+        return new Point2D.Double(
+                x.valueToJava2D(x.getRange().constrain(data.getXValue(k, data.last(k))), area, RectangleEdge.BOTTOM),
+                y.valueToJava2D(y.getRange().constrain(data.getYValue(k, data.last(k))), area, RectangleEdge.LEFT));
+    }
+
     /** Draws a name after a sample of its line. From far away, thin lines would cross others. */
-    private void draw(Graphics2D g, int k, Point2D end, Rectangle2D area, double place) {
+    private void draw(Graphics2D g, int k, Rectangle2D area, double place) {
         double x = area.getMaxX() + LEADER;
+        Point2D end = end(k, area);
         if (end.getX() > area.getMaxX() - EDGE * area.getWidth()) {
             g.setPaint(format.on(ChartStyle.FIELD));               // a coloured one would look like more of the curve
             g.setStroke(ChartStyle.LEADER);
@@ -96,11 +100,6 @@ final class EndLabels {
         g.setPaint(format.on(ChartStyle.TEXT));
         g.setFont(ChartStyle.LABEL);
         g.drawString(text(k), (float) (x + SAMPLE + GAP), (float) (place + LINE / 3));
-    }
-
-    /** The place of a value, or where its line leaves the chart. */
-    private static double inside(ValueAxis axis, double value, Rectangle2D area, RectangleEdge edge) {
-        return axis.valueToJava2D(axis.getRange().constrain(value), area, edge);
     }
 
     /** @return places near the wanted ones, which rise, at least a distance apart and from low to high if possible */

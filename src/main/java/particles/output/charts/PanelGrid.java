@@ -49,16 +49,15 @@ public final class PanelGrid extends Plot {
     public static ChartPage page(String title, List<Panel> panels, ChartFormat format) {
         List<JFreeChart> charts = panels.stream().map(panel -> Charts.of(panel, true, format)).toList();
         List<ChartPlot> plots = charts.stream().flatMap(chart -> Charts.plots(chart).stream()).toList();
-        double left = plots.stream().mapToDouble(plot -> plot.getRoom().getLeft()).max().orElse(0);
-        double right = plots.stream().mapToDouble(plot -> plot.getRoom().getRight()).max().orElse(0);
+        double left = plots.stream().mapToDouble(plot -> plot.beside.getLeft()).max().orElse(0);
+        double right = plots.stream().mapToDouble(plot -> plot.beside.getRight()).max().orElse(0);
         plots.forEach(plot -> plot.setRoom(left, right));       // so that frames are of one size
-        boolean round = plots.stream().allMatch(ChartPlot::isRound);
+        boolean round = plots.stream().allMatch(plot -> plot.round);
         double shape = plots.get(0).getRangeAxis().getRange().getLength()
                 / plots.get(0).getDomainAxis().getRange().getLength();
         int columns = right > 0 ? Math.min(2, panels.size()) : columns(panels.size());
         int cell = round ? ROUND_CELL : CELL;
-        int[] named = panels.stream().mapToInt(panel -> panel.charts().stream().mapToInt(Charts::heightOfRows).sum())
-                .toArray();
+        int[] named = panels.stream().mapToInt(Charts::heightOfRows).toArray();
         double high = largest(named) + (round ? shape * (cell - left) + HEAD_AND_AXIS : HEIGHT_OF_WIDTH * cell);
         PanelGrid grid = new PanelGrid(charts, columns, named);
         LegendTitle legend = Charts.legend(plots, format);

@@ -54,10 +54,9 @@ final class PhasePlot {
                     renderer.setSeriesStroke(k, ChartStyle.stroke(0));
                 }
                 for (double place : HEADS) {
-                    int from = (int) (place * (series.x().length - 1));
-                    if (from + 1 < series.x().length && !Double.isNaN(series.x()[from] + series.x()[from + 1])) {
-                        renderer.addAnnotation(head(series, from,
-                                format.on(new Color(series.look().rgb()))));
+                    int to = 1 + (int) (place * (data.getItemCount(k) - 1));
+                    if (to < data.getItemCount(k) && Double.isFinite(data.getXValue(k, to))) {
+                        renderer.addAnnotation(head(data, k, to, format.on(new Color(series.look().rgb()))));
                     }
                 }
             }
@@ -68,15 +67,14 @@ final class PhasePlot {
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
     private static void addField(ChartPlot plot, VectorField field, Paint colour) {
-        int last = field.x().length - 1;
-        double cellX = field.x()[1] - field.x()[0];
-        long rows = (last + 1) / Math.round(1 + (field.x()[last] - field.x()[0]) / cellX);
-        double cellV = (field.v()[last] - field.v()[0]) / (rows - 1);
-        double time = IntStream.range(0, field.x().length).mapToDouble(k -> Math.min(cellX / Math.abs(field.v()[k]),
+        double cellX = show((NumberAxis) plot.getDomainAxis(), field.positions());
+        double cellV = show((NumberAxis) plot.getRangeAxis(), field.velocities());
+        plot.setRanges();
+        double time = IntStream.range(0, field.dv().length).mapToDouble(k -> Math.min(cellX / Math.abs(field.v(k)),
                 cellV / Math.abs(field.dv()[k]))).min().orElse(0);
         VectorSeries arrows = new VectorSeries("field");
-        for (int k = 0; k < field.x().length; k++) {
-            arrows.add(field.x()[k], field.v()[k], time * field.v()[k], time * field.dv()[k]);
+        for (int k = 0; k < field.dv().length; k++) {
+            arrows.add(field.x(k), field.v(k), time * field.v(k), time * field.dv()[k]);
         }
         VectorSeriesCollection data = new VectorSeriesCollection();
         data.addSeries(arrows);
@@ -85,27 +83,27 @@ final class PhasePlot {
         renderer.setSeriesPaint(0, colour);
         plot.setDataset(1, data);
         plot.setRenderer(1, renderer);
-        show((NumberAxis) plot.getDomainAxis(), field.x()[0] - cellX / 2, field.x()[last] + cellX / 2);
-        show((NumberAxis) plot.getRangeAxis(), field.v()[0] - cellV / 2, field.v()[last] + cellV / 2);
-        plot.setRanges();
     }
 
-    private static void show(NumberAxis axis, double low, double high) {
-        axis.setRange(low, high);
-        Axes.setTicks(axis, (high - low) / TICKS);
+    /** Shows the whole grid, and half a cell around it; returns the size of a cell. */
+    private static double show(NumberAxis axis, double[] grid) {
+        double cell = grid[1] - grid[0];
+        axis.setRange(grid[0] - cell / 2, grid[grid.length - 1] + cell / 2);
+        Axes.setTicks(axis, axis.getRange().getLength() / TICKS);
+        return cell;
     }
 
-    /** The head of an arrow at a state of a path, which points to the next one; its size is in pixels. */
-    private static XYAnnotation head(Series path, int from, Paint colour) {
-        XYPointerAnnotation head = new XYPointerAnnotation("", path.x()[from + 1], path.y()[from + 1], 0) {
+    /** The head of an arrow to a state of a path from the one before; its size is in pixels. */
+    private static XYAnnotation head(ChartDataset data, int k, int to, Paint colour) {
+        XYPointerAnnotation head = new XYPointerAnnotation("", data.getXValue(k, to), data.getYValue(k, to), 0) {
             private static final long serialVersionUID = 1L;
 
             @Override
             public void draw(Graphics2D g, XYPlot plot, Rectangle2D area, ValueAxis across, ValueAxis up, int index,
                     PlotRenderingInfo info) {
-                double back = across.valueToJava2D(path.x()[from], area, RectangleEdge.BOTTOM)
+                double back = across.valueToJava2D(data.getXValue(k, to - 1), area, RectangleEdge.BOTTOM)
                         - across.valueToJava2D(getX(), area, RectangleEdge.BOTTOM);
-                double down = up.valueToJava2D(path.y()[from], area, RectangleEdge.LEFT)
+                double down = up.valueToJava2D(data.getYValue(k, to - 1), area, RectangleEdge.LEFT)
                         - up.valueToJava2D(getY(), area, RectangleEdge.LEFT);
                 setAngle(Math.atan2(down, back));
                 if (Math.hypot(down, back) > AT_REST) {

@@ -1,6 +1,5 @@
 package particles.output.charts;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -35,7 +34,7 @@ final class SeriesRenderer {
             Series one = series.get(k);
             Mark mark = one.mark();
             boolean dense = path && mark == Mark.LINE && (Series.isDense(one.x()) || Series.isDense(one.y()));
-            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
+            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS || mark == Mark.GIVEN_UP;
             boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
             Color colour = format.on(new Color((failed ? Look.FAILURE : looks.get(k)).rgb()));
             Color ground = format.on(Color.WHITE);
@@ -49,7 +48,7 @@ final class SeriesRenderer {
                     : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : ChartStyle.shape(variant));
             renderer.setSeriesFillPaint(k, open ? ground : colour);
             renderer.setSeriesOutlinePaint(k, open ? colour : ground);
-            renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : new BasicStroke(0.6f));
+            renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : ChartStyle.THIN);
         }
         return renderer;
     }
@@ -61,11 +60,8 @@ final class SeriesRenderer {
         for (Series one : series) {
             Look look = one.look();
             for (int n = 0; one.mark().isCurve() && n < ChartStyle.STROKES
-                    && !one.name().equals(lines.getOrDefault(key(look), one.name())); n++) {
+                    && !one.name().equals(lines.computeIfAbsent(key(look), free -> one.name())); n++) {
                 look = look.variant(n);
-            }
-            if (one.mark().isCurve()) {
-                lines.put(key(look), one.name());
             }
             looks.add(look);
         }

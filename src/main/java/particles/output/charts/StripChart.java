@@ -1,6 +1,5 @@
 package particles.output.charts;
 
-import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
@@ -11,8 +10,6 @@ import particles.view.Panel;
 
 /** A chart over time without a title or names of lines, on which a line moves. */
 public final class StripChart {
-    private static final BasicStroke NOW = new BasicStroke(1.2f);
-
     private final JFreeChart chart;
     private final ChartPlot plot;
 
@@ -21,7 +18,7 @@ public final class StripChart {
         chart = Charts.of(Panel.of("", List.of(data)), true, ChartFormat.PAGE);
         plot = Charts.plots(chart).get(0);
         plot.ends.labelled.clear();
-        plot.setRoom(plot.getRoom().getLeft(), 0);
+        plot.setRoom(plot.beside.getLeft(), 0);
     }
 
     /**
@@ -33,7 +30,7 @@ public final class StripChart {
      */
     public void draw(Graphics2D g, Rectangle2D area, double time) {
         plot.clearDomainMarkers();
-        plot.addDomainMarker(new ValueMarker(time, ChartStyle.AXIS, NOW));
+        plot.addDomainMarker(new ValueMarker(time, ChartStyle.AXIS, ChartStyle.BAR));
         chart.draw(g, area);
     }
 }

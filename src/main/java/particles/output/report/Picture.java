@@ -3,10 +3,7 @@ package particles.output.report;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.catalog.SolverInfo.Group;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -88,11 +85,6 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return !panels.isEmpty();
     }
 
-    /** @return its look on a page: as any chart, or as one that moves, or that has many parts */
-    Optional<String> look() {
-        return isAnimation() ? Optional.of("animation") : Optional.of("whole").filter(many -> panels.size() > 1);
-    }
-
     /** @return the numbers at the ends of its curves */
     List<Ends> ends() {
         return panels.stream().flatMap(panel -> panel.charts().stream()).map(chart -> new Ends(chart.y().label(),
@@ -130,25 +122,28 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return pictures;
     }
 
-    private static List<SolverInfo> solvers(Chart chart) {
-        Map<String, SolverInfo> byName = new LinkedHashMap<>();
-        chart.series().stream().filter(series -> series.mark().isCurve()).flatMap(series ->
-                series.look().solver().stream()).forEach(solver -> byName.put(solver.name(), solver));
-        return List.copyOf(byName.values());
+    private static Stream<SolverInfo> curves(Chart chart) {
+        return chart.series().stream().filter(series -> series.mark().isCurve())
+                .flatMap(series -> series.look().solver().stream());
+    }
+
+    private static List<String> solvers(Chart chart) {
+        return curves(chart).map(SolverInfo::name).distinct().toList();
     }
 
     private Chart onSlide(Chart chart) {
         long own = chart.series().stream().filter(series -> series.mark().isCurve()
                 && series.look().equals(Look.OWN)).count();
-        List<SolverInfo> shown = solvers(chart).stream().sorted(Comparator.comparingInt(solver ->
-                first.contains(solver.name()) ? first.indexOf(solver.name()) : first.size()))
+        List<String> solvers = solvers(chart);
+        List<String> shown = Stream.concat(first.stream().filter(solvers::contains), solvers.stream()).distinct()
                 .limit(Math.max(0, CURVES_ON_A_SLIDE - own)).toList();
-        Chart some = chart.only(series -> series.look().solver().map(shown::contains).orElse(true));
+        Chart some = chart.only(series -> series.look().solver().map(solver ->
+                shown.contains(solver.name())).orElse(true));
         return chart.scale() == chart.series() ? some.scaledTo(some.series()) : some;
     }
 
     private static List<Panel> groups(Panel panel, List<Chart> charts) {
-        List<Group> groups = solvers(charts.get(0)).stream().map(solver -> solver.family().group()).distinct().sorted()
+        List<Group> groups = curves(charts.get(0)).map(solver -> solver.family().group()).distinct().sorted()
                 .toList();
         return groups.size() < 2 ? List.of(panel.with(panel.title(), charts)) : groups.stream().map(group ->
                 panel.with(group.words, charts.stream().map(chart -> chart.only(series -> series.look().solver()

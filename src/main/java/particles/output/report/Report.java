@@ -65,9 +65,8 @@ public record Report(String title, List<String> text, List<Section> sections, St
             {{/text}}
             {{#pictures}}
             {{^repeated}}
-            <figure id="{{task}}-{{file}}"{{#look}} class="{{.}}"{{/look}}>
-            <div class="scroll"><button type="button" title="larger or smaller"><img alt="{{caption}}" \
-            src="data:image/gif;base64,{{#bytes}}{{{folder}}}{{/bytes}}"/></button></div>
+            <figure id="{{task}}-{{file}}"{{#isAnimation}} class="animation"{{/isAnimation}}>
+            <img alt="{{caption}}" src="data:image/gif;base64,{{#bytes}}{{{folder}}}{{/bytes}}"/>
             <figcaption>{{caption}}</figcaption>
             {{#answers}}
             <p>{{title}}: {{answer}}</p>

@@ -30,7 +30,7 @@ public final class ResultsIndex {
             main { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1.2rem; }
             figure { margin: 0; }
             img { width: 100%; height: 12rem; object-fit: contain; background: #f3f4f7; }
-            figcaption { font-size: 0.9rem; overflow-wrap: anywhere; }
+            figcaption { overflow-wrap: anywhere; }
             </style>
             </head>
             <body>

@@ -97,8 +97,8 @@ class LectureFiguresTest {
         assertEquals(Look.of(SolverCatalog.info("midpoint")), chart.series().get(0).look());
         double reach = LectureFigures.reach(result);
         VectorField field = LectureFigures.field(reach);
-        for (int k = 0; k < field.x().length; k++) {
-            assertEquals(-field.x()[k], field.dv()[k]);
+        for (int k = 0; k < field.dv().length; k++) {
+            assertEquals(-field.x(k), field.dv()[k]);
         }
         for (double x : result.x()) {
             assertTrue(Math.abs(x) < reach);

@@ -129,10 +129,10 @@ class PhaseHistoryTest {
         Series path = observe(simulation).chart(Coordinate.Z, Look.OWN, "path").series().get(0);
         long evaluations = simulation.getSystem().getEvaluations();
         VectorField field = VectorFields.around(simulation.getSystem(), Coordinate.Z, path.x(), path.y()).orElseThrow();
-        for (int k = 0; k < field.x().length; k++) {
-            assertEquals(-4 * (field.x()[k] - 3), field.dv()[k], 1e-13);
+        for (int k = 0; k < field.dv().length; k++) {
+            assertEquals(-4 * (field.x(k) - 3), field.dv()[k], 1e-13);
         }
-        assertTrue(Arrays.stream(field.x()).max().orElse(0) > 4.1);
+        assertTrue(Arrays.stream(field.positions()).max().orElse(0) > 4.1);
         assertEquals(evaluations, simulation.getSystem().getEvaluations());
     }
 

@@ -228,8 +228,7 @@ class ChartsTest {
 
     @Test
     void pathAndFieldAreDrawnAndWritten() throws IOException {
-        VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1},
-                new double[] {0, -1, 0, -1});
+        VectorField field = new VectorField(new double[] {0, 1}, new double[] {0, 1}, new double[] {0, -1, 0, -1});
         // the field, and half a cell around it
         assertEquals(1.5, path(chart(false, series("path", 1, 2, 3)), Optional.of(field)).getDomainAxis()
                 .getUpperBound());

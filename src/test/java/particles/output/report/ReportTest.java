@@ -224,22 +224,12 @@ class ReportTest {
         assertHas(script, "th button", "dataset.value", "aria-sort");
     }
 
-    /** A chart is as wide as charts are; of a film there is nothing to print. */
+    /** Of a film there is nothing to print. */
     @Test
-    void onlyPicturesOfManyPartsHaveASheet() throws IOException {
-        assertEquals(4, page.all("//figure").size());
+    void animationsAreNotPrinted() {
         assertEquals(List.of("animation", "animation"), page.all("//figure[contains(@id, '.gif')]/@class"));
         assertEquals(List.of(), page.all("//figure[not(contains(@id, '.gif'))]/@class"));
-        try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
-            Panel chart = Panel.of("falls", List.of(new Chart(Axis.TIME, Axis.TIME, List.of())));
-            ResultPage panels = new ResultPage("wide", "Wide", List.of(),
-                    List.of(Picture.panels("many", "Many.", "Many",
-                    Collections.nCopies(2, chart))), List.of());
-            panels.write(folder, ChartFormat.PAGE);
-            new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.", top.resolve("wide"), 1,
-                    Optional.of(panels), Optional.empty())), "The end.").write(folder, "report.html");
-        }
-        assertHas(Files.readString(top.resolve("wide/report.html")), "class=\"whole\"");
+        assertHas(ReportStyle.CSS, "figure.animation { display: none; }");
     }
 
     @Test
