@@ -10,8 +10,6 @@ final class ReportStyle {
             body { margin: 0 auto; padding: 1rem; max-width: 76rem; color: #1b1b1f; background: #fff;
               font: 1rem/1.5 system-ui, "DejaVu Sans", sans-serif; overflow-wrap: break-word; }
             h1 { font-size: 1.7rem; }
-            h2 { font-size: 1.25rem; }
-            h3 { font-size: 1rem; }
             section { border-top: 2px solid #c9ccd3; margin-top: 2.5rem; padding-top: 1rem; }
             .task { color: #555a64; font-size: 0.875rem; margin: 0 0 0.3rem; }
             .command { white-space: nowrap; }
