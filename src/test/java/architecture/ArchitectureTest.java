@@ -155,13 +155,11 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.spec particles.spec.messages
             particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
-                                           particles.teaching.measured particles.teaching.solvers
-                                           particles.teaching.sources particles.view
+                                           particles.teaching.solvers particles.teaching.sources particles.view
             particles.teaching.measured:   deSolvers deSolvers.problems particles.teaching
                                            particles.teaching.declared particles.teaching.sources
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.compared
                                            particles.teaching.declared particles.teaching.measured
-                                           particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems deSolvers.text particles.teaching
             particles.view:                deSolvers.catalog deSolvers.text particles.law
             """);

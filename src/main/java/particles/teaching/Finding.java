@@ -1,20 +1,17 @@
 package particles.teaching;
 
-import java.util.List;
-
 /**
  * One finding of a check: a mistake or advice.
  *
- * @param kind   the kind of finding
- * @param cause  what was found, a constant of one of the lists of findings; for one of a kind, its text
- * @param values what was measured: numbers and names, in the order of the sentence
- * @param text   the finding as a sentence
+ * @param kind  the kind of finding
+ * @param cause what was found, a constant of one of the lists of findings; for one of a kind, its text
+ * @param text  the finding as a sentence
  */
-public record Finding(Kind kind, Object cause, List<Object> values, String text) {
+public record Finding(Kind kind, Object cause, String text) {
 
     /** A finding without a constant, such as the text of an exception. */
     public Finding(Kind kind, String text) {
-        this(kind, text, List.of(), text);
+        this(kind, text, text);
     }
 
     /** The kinds of findings. */

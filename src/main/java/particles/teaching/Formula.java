@@ -1,16 +1,12 @@
 package particles.teaching;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** Formats coefficients and formulas as people write them: 1/6, deltaT/2, s + k1/2. */
 public final class Formula {
     private static final double SAME = 1e-9;
-    private static final double SAME_TIME = 1e-13;
     private static final int LARGEST_DENOMINATOR = 48;
 
     private Formula() {
@@ -21,14 +17,15 @@ public final class Formula {
         return Math.abs(x - y) <= SAME * Math.max(1, Math.abs(y));
     }
 
-    /** @return whether two times in units of deltaT are equal up to a few round-offs */
-    public static boolean sameTime(double x, double y) {
-        return Math.abs(x - y) <= SAME_TIME * Math.max(1, Math.abs(y));
-    }
-
     /** @return the number as a fraction if it is a simple one, otherwise with four digits */
     public static String number(double x) {
-        return fraction(x, SAME).orElseGet(() -> String.format(Locale.ROOT, "%.4g", x));
+        for (int q = 1; q <= LARGEST_DENOMINATOR; q++) {
+            double p = Math.rint(x * q);
+            if (Math.abs(p) < 1e6 && Math.abs(x * q - p) <= SAME * q * Math.max(1, Math.abs(x))) {
+                return q == 1 ? Long.toString((long) p) : (long) p + "/" + q;
+            }
+        }
+        return String.format(Locale.ROOT, "%.4g", x);
     }
 
     /** @return the text with these values in place of each %s, numbers with a fraction as people write them */
@@ -37,25 +34,9 @@ public final class Formula {
                 ? number(x) : value).toArray());
     }
 
-    private static Optional<String> fraction(double x, double tolerance) {
-        for (int q = 1; q <= LARGEST_DENOMINATOR; q++) {
-            double p = Math.rint(x * q);
-            if (Math.abs(p) < 1e6 && Math.abs(x * q - p) <= tolerance * q * Math.max(1, Math.abs(x))) {
-                return Optional.of(q == 1 ? Long.toString((long) p) : (long) p + "/" + q);
-            }
-        }
-        return Optional.empty();
-    }
-
-    /** Enough digits to see that 1.000000001 is not 1. */
-    private static String exactly(double x) {
-        return fraction(x, SAME_TIME).orElseGet(() -> fraction(x, 1e-4).isEmpty() ? number(x)
-                : new BigDecimal(x).round(new MathContext(13)).stripTrailingZeros().toPlainString());
-    }
-
     /** @return the time, such as {@code t + deltaT/2}; c is in units of deltaT */
     public static String time(double c) {
-        return sameTime(c, 0) ? "t" : "t" + (c < 0 ? " - " : " + ") + times(exactly(Math.abs(c)), "deltaT");
+        return same(c, 0) ? "t" : "t" + (c < 0 ? " - " : " + ") + times(number(Math.abs(c)), "deltaT");
     }
 
     /**

@@ -94,9 +94,6 @@ public final class CheckSolverCommand extends CheckCommand {
                         + " lambda.", region)));
         pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
                 figures.energy()));
-        pictures.add(Picture.of("work-precision",
-                "The error after eight seconds against the work: lower left is better.",
-                figures.workPrecision()));
         return new Checked(name, verdict.identity(), findings, pictures, List.of(figures.facts()));
     }
 }

@@ -5,9 +5,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.declared.Method;
 import particles.teaching.declared.Scheme;
@@ -23,7 +26,6 @@ import particles.teaching.sources.WindyOscillators;
 public final class Agreement {
     /** Coefficients with eight digits, such as Gill's, leave 1e-9. */
     private static final double PRINTED = 5e-9;
-    private static final double ROUNDING = 1e-13;
     /** Float numbers leave 1e-8. */
     private static final double FLOAT = 5e-7;
     public static final double H = 0.1;
@@ -40,13 +42,9 @@ public final class Agreement {
     }
 
     /** A method, and how far its steps are from the solver's. */
-    public record Match(Method method, int size, double distance) {
+    public record Match(Method method, double distance) {
         public boolean isFloat() {
             return distance > PRINTED;
-        }
-
-        public boolean isPrinted() {
-            return distance > ROUNDING;
         }
     }
 
@@ -56,9 +54,9 @@ public final class Agreement {
      * @param method  of the method
      * @param scheme  its steps without the mistake
      * @param mistake the mistake
-     * @param changed its steps with it, if it is one of the weights
+     * @param changed its step with it
      */
-    public record Cause(Method method, Scheme scheme, Mistake mistake, Optional<Scheme> changed) {
+    public record Cause(Method method, Scheme scheme, Mistake mistake, Step changed) {
     }
 
     public Agreement(Supplier<DESolver> maker) {
@@ -106,10 +104,8 @@ public final class Agreement {
     /** @return the known method with these steps */
     public Optional<Match> known() {
         return Arrays.stream(Method.values()).flatMap(method -> method.schemes().stream().map(scheme ->
-                new Match(method,
-                scheme.size(), distance(scheme.particles() ? turns : all, h -> scheme)))).filter(match ->
-                        match.distance < FLOAT)
-                .min(Comparator.comparingDouble(Match::distance));
+                new Match(method, distance(scheme.particles() ? turns : all, h -> scheme)))).filter(match ->
+                match.distance < FLOAT).min(Comparator.comparingDouble(Match::distance));
     }
 
     /** @return the distance from a method's step of {@link #H} */
@@ -126,23 +122,10 @@ public final class Agreement {
     }
 
     private Optional<Cause> cause(Method method, Scheme scheme, Mistake mistake) {
-        List<Made> steps = scheme.particles() ? turns : all;
-        int n = (int) mistake.schemes(scheme, H).count();
-        for (int j = 0; j < n; j++) {
-            int which = j;
-            if (distance(steps, h -> mistake.schemes(scheme, h).skip(which).findFirst().orElse(scheme)) < PRINTED) {
-                return Optional.of(new Cause(method, scheme, mistake, mistake.schemes(scheme, H).skip(j).findFirst()));
-            }
-        }
-        int size = steps.get(2).source.get().getStateSize();
-        long splits = mistake.steps(scheme, size).count();
-        for (int j = 0; j < splits; j++) {
-            int which = j;
-            if (distance(steps, h -> (source, deltaT) -> mistake.steps(scheme, source.getStateSize()).skip(which)
-                    .findFirst().orElseThrow().make(source, deltaT)) < PRINTED) {
-                return Optional.of(new Cause(method, scheme, mistake, Optional.empty()));
-            }
-        }
-        return Optional.empty();
+        List<Made> made = scheme.particles() ? turns : all;
+        Map<Double, List<? extends Step>> changed = made.stream().map(Made::deltaT).distinct().collect(Collectors.toMap(
+                h -> h, h -> mistake.steps(scheme, h).toList()));
+        return IntStream.range(0, changed.get(H).size()).filter(j -> distance(made, h -> changed.get(h).get(j))
+                < PRINTED).mapToObj(j -> new Cause(method, scheme, mistake, changed.get(H).get(j))).findFirst();
     }
 }

@@ -2,6 +2,7 @@ package particles.teaching.compared;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -18,7 +19,7 @@ import particles.teaching.sources.Probe;
  */
 public final class Reading {
     /** The largest number of evaluations in a step that is read. */
-    static final int MOST = 16;
+    private static final int MOST = 16;
     private static final double H = 0.2;
     private static final double START = 2;
     private static final int SIZE = 12;
@@ -31,7 +32,7 @@ public final class Reading {
     /** The states of a step with these numbers: those of the evaluations, and the new one. */
     private record Run(Probe probe, List<double[]> states) {
         static Run of(DESolver solver, double h, double[][] numbers) {
-            Probe probe = new Probe(numbers[0], START, j -> numbers[1 + j], MOST);
+            Probe probe = new Probe(numbers[0], START, j -> numbers[1 + j]);
             probe.step(solver, h);
             return new Run(probe, Stream.concat(probe.recorded().stream().map(Probe.Evaluation::state), Stream.of(
                     probe.getState())).toList());
@@ -42,8 +43,9 @@ public final class Reading {
     public static Optional<Scheme> of(Supplier<DESolver> maker) {
         try {
             Optional<Scheme> one = read(maker, H);
-            return one.filter(scheme -> read(maker, 2 * H).filter(other -> other.unlike(scheme) < 0).isPresent());
-        } catch (RuntimeException e) {                  // it refuses such numbers, or evaluates without an end
+            return one.filter(scheme -> read(maker, 2 * H).filter(other -> other.unlike(scheme) < 0).isPresent()).map(
+                    Reading::used);
+        } catch (RuntimeException e) {                  // it refuses such numbers, or there are too few for it
             return Optional.empty();
         }
     }
@@ -86,14 +88,15 @@ public final class Reading {
         return Optional.of(scheme).filter(found -> same && n > 0);
     }
 
-    /** @return the same without evaluations that enter nothing, such as one that is kept for the next step */
-    public static Scheme used(Scheme scheme) {
+    /** The same without a last evaluation that does not enter the new state, such as one kept for the next step. */
+    private static Scheme used(Scheme scheme) {
         int n = scheme.size();
-        int[] kept = IntStream.range(0, n).filter(j -> IntStream.rangeClosed(j + 1, n).anyMatch(r -> !Formula.same(
-                scheme.rows().get(r)[1 + j], 0))).toArray();
-        List<double[]> rows = IntStream.concat(IntStream.of(kept), IntStream.of(n)).mapToObj(r -> IntStream.concat(
-                IntStream.of(0), IntStream.of(kept).filter(j -> j < r).map(j -> 1 + j)).mapToDouble(c -> scheme.rows()
-                .get(r)[c]).toArray()).toList();
-        return new Scheme(rows, IntStream.of(kept).mapToDouble(j -> scheme.times()[j]).toArray(), false);
+        double[] end = scheme.rows().get(n);
+        if (n < 2 || !Formula.same(end[n], 0)) {
+            return scheme;
+        }
+        List<double[]> rows = new ArrayList<>(scheme.rows().subList(0, n - 1));
+        rows.add(Arrays.copyOf(end, n));
+        return used(new Scheme(rows, Arrays.copyOf(scheme.times(), n - 1), false));
     }
 }

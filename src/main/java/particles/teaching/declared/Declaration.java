@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * What a solver is declared to be.
@@ -43,25 +44,10 @@ public record Declaration(Method method, boolean asked, boolean alone) {
         return found;
     }
 
-    /** The words of a name: RK4Solver has rk, 4 and solver. */
+    /** The words of a name, which begin at a capital letter or a digit: RK4Solver has rk, 4 and solver. */
     private static List<String> words(String name) {
-        List<String> words = new ArrayList<>();
-        StringBuilder word = new StringBuilder();
-        for (int j = 0; j < name.length(); j++) {
-            char c = name.charAt(j);
-            boolean begins = j > 0 && (Character.isDigit(c) != Character.isDigit(name.charAt(j - 1))
-                    || Character.isUpperCase(c) && (Character.isLowerCase(name.charAt(j - 1)) || j + 1 < name.length()
-                    && Character.isLowerCase(name.charAt(j + 1))));
-            if (begins && word.length() > 0) {
-                words.add(word.toString().toLowerCase(Locale.ROOT));
-                word.setLength(0);
-            }
-            if (Character.isLetterOrDigit(c)) {
-                word.append(c);
-            }
-        }
-        words.add(word.toString().toLowerCase(Locale.ROOT));
-        return words;
+        return Pattern.compile("\\d+|\\p{Lu}+(?!\\p{Ll})|\\p{Lu}?\\p{Ll}+").matcher(name).results().map(word ->
+                word.group().toLowerCase(Locale.ROOT)).toList();
     }
 
     /** @return whether a known method is no other one than declared */

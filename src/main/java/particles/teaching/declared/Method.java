@@ -2,6 +2,7 @@ package particles.teaching.declared;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -66,17 +67,17 @@ public enum Method {
     VERLET("verlet", "Verlet's method (leapfrog)", 2, names("velocityverlet", "positionverlet", "leapfrog"),
             Scheme.turns(w(0, 1, 0), w(0.5, 0.5)), Scheme.turns(w(0.5, 0.5), w(1))),
     YOSHIDA4("yoshida4", "Yoshida's method of order 4", 4, names("yoshida", "forestruth"), yoshida(0), yoshida(1)),
-    BACKWARD_EULER("backward-euler", "backward Euler", 1, names("impliciteuler"), Equation.of(w(1), w(1), 1)),
-    IMPLICIT_MIDPOINT("implicit-midpoint", "the implicit midpoint method", 2, names(), Equation.of(w(1), w(0.5), 1)),
+    BACKWARD_EULER("backward-euler", "backward Euler", 1, names("impliciteuler"), new Equation(w(1), w(1), 1)),
+    IMPLICIT_MIDPOINT("implicit-midpoint", "the implicit midpoint method", 2, names(), new Equation(w(1), w(0.5), 1)),
     TRAPEZOIDAL("trapezoidal", "the implicit trapezoidal rule", 2, names("trapezoid", "cranknicolson",
-            "implicittrapezoidal"), Equation.of(w(1), w(0, 1), 0.5, 0.5)),
+            "implicittrapezoidal"), new Equation(w(1), w(0, 1), 0.5, 0.5)),
     AB2("ab2", "Adams and Bashforth's method of order 2", 2, names("adamsbashforth2"), Equation.adams(1.5, -0.5)),
     AB3("ab3", "Adams and Bashforth's method of order 3", 3, names("adamsbashforth3"), Equation.adams(23.0 / 12,
             -4.0 / 3, 5.0 / 12)),
     AB4("ab4", "Adams and Bashforth's method of order 4", 4, names("adamsbashforth4"), Equation.adams(55.0 / 24,
             -59.0 / 24, 37.0 / 24, -9.0 / 24)),
-    BDF2("bdf2", "the BDF method of order 2", 2, names(), Equation.of(w(4.0 / 3, -1.0 / 3), w(1), 2.0 / 3)),
-    BDF3("bdf3", "the BDF method of order 3", 3, names(), Equation.of(w(18.0 / 11, -9.0 / 11, 2.0 / 11), w(1),
+    BDF2("bdf2", "the BDF method of order 2", 2, names(), new Equation(w(4.0 / 3, -1.0 / 3), w(1), 2.0 / 3)),
+    BDF3("bdf3", "the BDF method of order 3", 3, names(), new Equation(w(18.0 / 11, -9.0 / 11, 2.0 / 11), w(1),
             6.0 / 11)),
     RADAU("", "a Radau method", 3, names("radau", "radauiia")),
     ADAMS("", "an Adams method", 2, names("adams", "adamsbashforth", "adamsmoulton")),
@@ -88,24 +89,24 @@ public enum Method {
     private final int order;
     private final List<String> names;
     private final List<Scheme> schemes;
-    private final List<Equation> equations;
+    private final Optional<Equation> equation;
 
     Method(String option, String title, int order, List<String> names, Scheme... schemes) {
-        this(option, title, order, names, List.of(schemes), List.of());
+        this(option, title, order, names, List.of(schemes), Optional.empty());
     }
 
     Method(String option, String title, int order, List<String> names, Equation equation) {
-        this(option, title, order, names, List.of(), List.of(equation));
+        this(option, title, order, names, List.of(), Optional.of(equation));
     }
 
     Method(String option, String title, int order, List<String> names, List<Scheme> schemes,
-            List<Equation> equations) {
+            Optional<Equation> equation) {
         this.option = option;
         this.title = title;
         this.order = order;
         this.names = names;
         this.schemes = schemes;
-        this.equations = equations;
+        this.equation = equation;
     }
 
     /** Three Verlet steps in one, that begin with a kick, 0, or with a drift, 1. */
@@ -155,15 +156,14 @@ public enum Method {
         return schemes;
     }
 
-    /** @return its equation, if it has one */
-    public List<Equation> equations() {
-        return equations;
+    /** @return the equation of the new state, if it is an implicit or a multistep one */
+    public Optional<Equation> equation() {
+        return equation;
     }
 
     /** @return whether each step solves an equation for the new state */
     public boolean isImplicit() {
-        return this == RADAU || equations.stream().anyMatch(equation -> equation.isImplicit()
-                && !equation.usesEarlier());
+        return this == RADAU || equation.filter(one -> one.isImplicit() && !one.usesEarlier()).isPresent();
     }
 
     /** @return the words that declare it in the name of a class, in small letters without a space */
@@ -174,7 +174,7 @@ public enum Method {
 
     /** @return whether it is no method but all of a kind and order */
     public boolean isFamily() {
-        return schemes.isEmpty() && equations.isEmpty();
+        return schemes.isEmpty() && equation.isEmpty();
     }
 
     /** @return whether the name of this method in a class's name may stand for another one */

@@ -108,14 +108,6 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
         return changed(EffectTrial::isVelocity, v -> factor * v);
     }
 
-    /** @return what the slope of the potential energy says that the force on the free particles is */
-    double[] slopes() {
-        double[] slopes = new double[size()];
-        velocities().filter(this::isFree).forEach(k -> slopes[k] = -(energy(moved(k - 3, STEP)) - energy(moved(k - 3,
-                -STEP))) / (2 * STEP));
-        return slopes;
-    }
-
     /** @return the rate at which the potential energy grows in the state's own motion (W) */
     double stored(double[] at) {
         double[] ahead = at.clone();
@@ -125,6 +117,11 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
             behind[k - 3] -= STEP * at[k];
         });
         return (energy(ahead) - energy(behind)) / (2 * STEP);
+    }
+
+    /** @return the power that the law accounts for: what it stores and dissipates less, and drives more (W) */
+    double account(double[] at) {
+        return effect.getDrivenPower(at, time) - heat(at) - stored(at);
     }
 
     /** @return the power of the forces (W) */

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.GuardedRun;
-import particles.teaching.measured.SolverContract;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.Springs;
@@ -27,14 +26,12 @@ import particles.view.Series;
 /**
  * Measurements of a solver on motions with known solutions, as numbers and charts.
  *
- * @param facts         the numbers
- * @param order         error against deltaT
- * @param region        the stability region; empty if it cannot be measured on single steps
- * @param energy        the energy of a spring over time
- * @param workPrecision error against evaluations, beside other solvers
+ * @param facts  the numbers
+ * @param order  error against deltaT
+ * @param region the stability region; empty if it cannot be measured
+ * @param energy the energy of a spring over time, beside other solvers
  */
-public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region, Panel energy,
-        Panel workPrecision) {
+public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region, Panel energy) {
     private static final double ENERGY_STEP = 0.1;
     private static final Axis ENERGY = Axis.log("|energy / first energy - 1|", "");
     private static final int ENERGY_STEPS = 2000;
@@ -61,33 +58,22 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
         OrderMeasurement order = OrderMeasurement.of(maker);
         List<double[]> energy = energy(maker);
         StabilityFigures stability = StabilityFigures.of(name, maker, verdict.multistep());
-        boolean builtIn = SolverCatalog.names().contains(name);
-        // a student's curve is a wide band, so that it shows below an equal one of a built-in solver
-        List<Series> energies = new ArrayList<>(List.of(series(name, builtIn ? Mark.LINE : Mark.BAND, energy)));
-        List<Series> work = new ArrayList<>();
-        for (String other : BESIDE) {
-            if (!other.equals(name)) {
-                energies.add(series(other, Mark.LINE, energy(() -> SolverCatalog.create(other))));
-                work.add(series(other, Mark.LINE_AND_POINTS, work(() -> SolverCatalog.create(other))));
-            }
-        }
-        work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
-        Axis error = Axis.log("error after 8 s", "");
+        // a wide band, so that it shows below an equal curve of a built-in solver
+        List<Series> energies = new ArrayList<>(List.of(series(Look.OWN, name, Mark.BAND, energy)));
+        BESIDE.stream().filter(other -> !other.equals(name)).forEach(other -> energies.add(series(Look.of(
+                SolverCatalog.info(other)), other, Mark.LINE, energy(() -> SolverCatalog.create(other)))));
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
                 Panel.of(name + ": error against deltaT", List.of(new Chart(Axis.log("deltaT", "s"),
-                        Axis.log("error after 2 s", ""), List.of(series(name, Mark.LINE_AND_POINTS, order.points())))))
-                        .answered(Double.isNaN(order.order()) ? "" : Digits.format("order %.2f", order.order())),
+                        Axis.log("error after 2 s", ""), List.of(series(Look.OWN, name, Mark.LINE_AND_POINTS,
+                        order.points()))))).answered(Double.isNaN(order.order()) ? "" : "order " + order.digits()),
                 stability.region(),
                 Panel.of(name + ": energy of a spring, deltaT = " + ENERGY_STEP + " s", List.of(new Chart(Axis.TIME,
                         ENERGY, energies.stream().map(one -> one.ending(Digits.few(Arrays.stream(one.y()).max()
-                        .orElse(Double.NaN), 2))).toList()))),
-                Panel.of(name + ": error against work", List.of(new Chart(Axis.log("evaluations of the derivative", ""),
-                        error, work.stream().map(one -> one.ending(error)).toList()))));
+                        .orElse(Double.NaN), 2))).toList()))));
     }
 
-    private static Series series(String name, Mark mark, List<double[]> points) {
-        return Series.of(SolverCatalog.find(name).map(Look::of).orElse(Look.OWN), name, mark, points.stream()
-                .filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
+    private static Series series(Look look, String name, Mark mark, List<double[]> points) {
+        return Series.of(look, name, mark, points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
     }
 
     private static List<double[]> energy(Supplier<DESolver> maker) {
@@ -100,16 +86,6 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
             if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
-        }
-        return points;
-    }
-
-    private static List<double[]> work(Supplier<DESolver> maker) {
-        List<double[]> points = new ArrayList<>();
-        for (int steps = 16; steps <= 1024; steps *= 2) {
-            WindyOscillators source = new WindyOscillators(1);
-            double error = OrderMeasurement.error(maker.get(), source, 8, steps);
-            points.add(new double[] {source.getEvaluations(), error});
         }
         return points;
     }
@@ -142,9 +118,11 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
         }
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)),
                 "relative to the energy at the start"));
-        rows.add(new SolverContract(maker).thereAndBack(new WindyOscillators(1), BACK).map(distance -> List.<Object>of(
-                THERE_AND_BACK, text(distance), distance < 1e-12 ? "reversible: it ends where it began"
-                : "not reversible")).orElse(List.of(THERE_AND_BACK, "-", "it refuses a step back")));
+        WindyOscillators there = new WindyOscillators(1);
+        boolean back = there.accepts(maker.get(), BACK) && there.accepts(maker.get(), -BACK);
+        double distance = there.error();
+        rows.add(List.of(THERE_AND_BACK, back ? text(distance) : "-", !back ? "it refuses a step back"
+                : distance < 1e-12 ? "reversible: it ends where it began" : "not reversible"));
         return new DataTable("facts", "What it does", Stream.of("property", "value", "meaning")
                 .map(DataTable::column).toList(), rows);
     }

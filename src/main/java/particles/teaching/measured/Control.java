@@ -6,8 +6,6 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.sources.Springs;
-import particles.teaching.sources.StiffDecay;
-import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** What is measured of step-size control and of stability. */
@@ -21,9 +19,7 @@ public record Control(Supplier<DESolver> maker) {
     private static final double MUCH = 100;
     /** An iteration that diverges leaves more. */
     private static final double DIVERGED = 1e6;
-    /** deltaT times the decay rate. */
-    private static final double STIFF = 20;
-    /** A stiff decay may be damped little or not at all, but not grow. */
+    /** A stiff spring may be damped little or not at all, but not grow. */
     private static final double GROWS = 1.5;
 
     private WindyOscillators after(int steps, double deltaT) {
@@ -48,29 +44,12 @@ public record Control(Supplier<DESolver> maker) {
                 error, LONG, often, STEPS);
     }
 
-    /** @return the mistake if steps as long as explicit methods cannot make them grow, unless an iteration diverges */
+    /** @return the mistake of an implicit method whose long steps make a spring grow, unless an iteration diverges */
     public Optional<Finding> unstable() {
-        return decay(0.5).or(() -> decay(STIFF)).or(() -> {
-            Springs springs = new Springs();
-            DESolver solver = maker.get();
-            boolean made = Stream.generate(() -> springs.accepts(solver, LONG)).limit(STEPS / 2).allMatch(one -> one);
-            double growth = StrictMath.pow(2 * springs.energy(), 1.0 / STEPS);          // from 1
-            return !made || !(growth < MUCH) ? Optional.of(Phrase.DIVERGES.of(LONG)) : Phrase.UNSTABLE.when(growth
-                    > GROWS, LONG, "the amplitude of the spring x'' = -x", growth);
-        });
-    }
-
-    private Optional<Finding> decay(double length) {
-        StudentSource source = new StiffDecay();
-        boolean made = source.accepts(maker.get(), length / StiffDecay.RATE);
-        double size = ((StiffDecay) source).size();
-        return Phrase.UNSTABLE.when(made && size > GROWS && size < DIVERGED, length / StiffDecay.RATE,
-                "y in y' = -1000 y", size);
-    }
-
-    /** @return whether it is stable on the negative real axis as far as so many steps of Euler's method */
-    public boolean isStableAs(int evaluations) {
-        return Stream.iterate(1, z -> z < 16 * evaluations, z -> z + 1).allMatch(z -> StudentSource.after(
-                new StiffDecay(), maker.get(), 1, z / 8.0 / StiffDecay.RATE).size() <= 1 + 1e-9);
+        Springs springs = new Springs();
+        DESolver solver = maker.get();
+        boolean made = Stream.generate(() -> springs.accepts(solver, LONG)).limit(STEPS / 2).allMatch(one -> one);
+        double growth = StrictMath.pow(2 * springs.energy(), 1.0 / STEPS);              // from 1
+        return Phrase.UNSTABLE.when(made && growth > GROWS && growth < MUCH, LONG, growth);
     }
 }

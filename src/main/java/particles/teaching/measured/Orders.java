@@ -1,7 +1,6 @@
 package particles.teaching.measured;
 
 import deSolvers.DESolver;
-import java.util.Iterator;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
@@ -17,19 +16,15 @@ import particles.teaching.sources.WindyOscillators;
  * @param bodies on two bodies that attract each other in space
  * @param clock  on a nonlinear spring whose force changes with the clock
  * @param drag   on one with drag
- * @param state  on the one with a clock, which is read off the state
  */
-public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement drag, OrderMeasurement state) {
+public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement drag) {
     private static final double HALF = 0.5;
-    /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
-    private static final double OFF_CLOCK = 20;
-    /** Smaller errors may be those of a tolerance. */
-    private static final double TOLERATED = 1e-8;
+    private static final String BODIES = " where bodies attract each other";
+    private static final String DRAG = " where the acceleration depends on the velocity";
 
     public static Orders of(Supplier<DESolver> maker) {
         return new Orders(OrderMeasurement.measure(maker, Bodies::new), OrderMeasurement.of(maker, () ->
-                WindyOscillators.nonlinear(1)), OrderMeasurement.of(maker, WindyOscillators::withDrag),
-                OrderMeasurement.of(maker, WindyOscillators::timeless));
+                WindyOscillators.nonlinear(1)), OrderMeasurement.of(maker, WindyOscillators::withDrag));
     }
 
     /** @return the lower one of the orders without drag; NaN if the error does not follow deltaT */
@@ -46,17 +41,13 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
         return bodies.order() < clock.order() ? bodies : clock;
     }
 
-    private String where() {
-        return bodies.order() < clock.order() - HALF ? " where bodies attract each other" : "";
-    }
-
-    /** @return the mistake of errors that do not go to 0, or not as fast as declared, or only without a clock */
+    /** @return the mistake of errors that do not go to 0, or not as fast as declared, or far slower on one source */
     public Optional<Finding> mistake(Optional<Declaration> declared, boolean withDrag) {
-        return far(bodies, " where bodies attract each other").or(() -> far(clock, "")).or(this::clocks).or(() ->
-                Phrase.DRAG_DIVERGES.when(drag.isFar(), drag.digits())).or(() -> declared.map(Declaration::method)
-                .flatMap(method -> low(lower(), where(), method).or(() -> !withDrag ? Optional.empty() : low(drag,
-                " where the acceleration depends on the velocity", method)))).or(() -> Phrase.OTHER_ORDER.when(
-                bodies.order() < clock.order() - 3 * HALF, bodies.digits(), clock.digits()));
+        return far(bodies, BODIES).or(() -> far(clock, "")).or(() -> far(drag, DRAG)).or(() -> declared.map(
+                Declaration::method).flatMap(method -> low(lower(), bodies.order() < clock.order() - HALF ? BODIES : "",
+                method).or(() -> withDrag ? low(drag, DRAG, method) : Optional.empty()))).or(() ->
+                Phrase.OTHER_ORDER.when(Math.abs(bodies.order() - clock.order()) > 3 * HALF, bodies.digits(),
+                clock.digits()));
     }
 
     private static Optional<Finding> far(OrderMeasurement measured, String where) {
@@ -66,19 +57,6 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
     private static Optional<Finding> low(OrderMeasurement measured, String where, Method method) {
         return Phrase.LOW_ORDER.when(measured.order() < method.order() - HALF, measured.digits(), where, method.title(),
                 method.order(), method.isFamily() ? " or more" : "");
-    }
-
-    /** Whether the law that is read off the clock leads astray, and the same law without a clock does not. */
-    private Optional<Finding> clocks() {
-        Iterator<double[]> others = state.points().iterator();
-        for (double[] point : clock.points()) {
-            double error = point[1];
-            double without = others.hasNext() ? others.next()[1] : error;
-            if (error > OFF_CLOCK * without && error > TOLERATED && Double.isFinite(error)) {
-                return Optional.of(Phrase.STAGE_CLOCKS.of(error, point[0], without));
-            }
-        }
-        return Optional.empty();
     }
 
     /** @return the note on a method whose order falls with drag */

@@ -34,7 +34,7 @@ final class Units {
 
         @Override
         protected void rates(double t, double[] s, double[] dSdt) {
-            for (int k = 0; k < Math.min(dSdt.length, 6); k++) {
+            for (int k = 0; k < 6; k++) {
                 dSdt[k] = k < 3 ? s[k + 3] : (1 + k * k - 40 * s[k - 3] - 2 * parts * s[k] + 4 * t / parts) / parts
                         / parts;
             }

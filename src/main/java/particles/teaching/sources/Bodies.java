@@ -41,7 +41,7 @@ public final class Bodies extends StudentSource implements SecondOrderSource {
             r2 += (s[6 + c] - s[c]) * (s[6 + c] - s[c]);
         }
         double r3 = r2 * Math.sqrt(r2);
-        for (int k = 0; k < Math.min(12, dSdt.length); k++) {
+        for (int k = 0; k < 12; k++) {
             int c = k % 3;
             dSdt[k] = k / 3 % 2 == 0 ? s[k + 3] : (k < 6 ? MASSES[1] : -MASSES[0]) * (s[6 + c] - s[c]) / r3;
         }

@@ -8,7 +8,7 @@ import particles.teaching.sources.StudentSource.SecondOrderSource;
 public final class Probe extends StudentSource implements SecondOrderSource {
     /** Supplies the derivatives. */
     public interface Answer {
-        /** @return the derivative at this evaluation, counted from 0 */
+        /** @return the derivative at this evaluation, counted from 0; what it throws, the evaluation throws */
         double[] at(int evaluation);
     }
 
@@ -21,29 +21,17 @@ public final class Probe extends StudentSource implements SecondOrderSource {
     public record Evaluation(double[] state, double time) {
     }
 
-    /** Ends a step that asks for more evaluations than are read. */
-    public static final class TooManyEvaluations extends RuntimeException {
-        private static final long serialVersionUID = 1L;
-
-        TooManyEvaluations(int most) {
-            super("more than " + most + " evaluations", null, false, false);
-        }
-    }
-
     private final Answer answer;
-    private final int most;
     private final List<Evaluation> recorded = new ArrayList<>();
 
     /**
      * @param start  the state
      * @param time   the clock (s)
      * @param answer supplies the derivatives
-     * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
      */
-    public Probe(double[] start, double time, Answer answer, int most) {
+    public Probe(double[] start, double time, Answer answer) {
         super(time, start);
         this.answer = answer;
-        this.most = most;
     }
 
     /** @return the evaluations, in their order */
@@ -53,11 +41,8 @@ public final class Probe extends StudentSource implements SecondOrderSource {
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        if (recorded.size() == most) {
-            throw new TooManyEvaluations(most);
-        }
         double[] given = answer.at(recorded.size());
         recorded.add(new Evaluation(s.clone(), t));
-        System.arraycopy(given, 0, dSdt, 0, Math.min(s.length, dSdt.length));
+        System.arraycopy(given, 0, dSdt, 0, s.length);
     }
 }

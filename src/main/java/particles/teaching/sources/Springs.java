@@ -1,7 +1,6 @@
 package particles.teaching.sources;
 
 import deSolvers.problems.StepMatrix;
-import java.util.stream.IntStream;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /** Particles on springs, x'' = -x in each of three coordinates: the slides' example. */
@@ -11,11 +10,6 @@ public final class Springs extends StudentSource implements SecondOrderSource {
      */
     public Springs() {
         super(1, 0, 0, 0, 1, 0);
-    }
-
-    /** Creates two particles at rest at the origin, except for one entry of the state; without an exact solution. */
-    public Springs(int entry, double start) {
-        super(IntStream.range(0, 12).mapToDouble(k -> k == entry ? start : 0).toArray());
     }
 
     /** @return the matrix by which the steps so far multiplied the state of one coordinate */
@@ -39,7 +33,7 @@ public final class Springs extends StudentSource implements SecondOrderSource {
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        for (int k = 0; k < s.length; k += k % 6 == 2 ? 4 : 1) {
+        for (int k = 0; k < 3; k++) {
             dSdt[k] = s[k + 3];
             dSdt[k + 3] = -s[k];
         }

@@ -3,31 +3,22 @@ package particles.teaching.sources;
 import deSolvers.DESolver;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.ReferenceProblem;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashSet;
-import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.EndlessLoop;
 import particles.teaching.StudentFailure;
 
-/** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
+/** A source for a student's solver: it counts what a step does, and ends one that evaluates without an end. */
 public abstract class StudentSource extends ReferenceProblem {
-    private static final int MOST_RECORDED = 6;
     private static final int MOST_TIMES = 100_000;
     /** In one step; a right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
 
-    private Optional<Integer> wrongLength = Optional.empty();
-    private final List<double[]> evaluatedAt = new ArrayList<>();
-    private int reads;
     private int timeMoves;
     private final Set<Float> times = new HashSet<>();
     private boolean isSet;
     private long before;
-    private long most = MOST_EVALUATIONS;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -83,45 +74,6 @@ public abstract class StudentSource extends ReferenceProblem {
         }
     }
 
-    /** @param evaluations the number in one step that tells an endless loop */
-    protected final void endAfter(long evaluations) {
-        most = evaluations;
-    }
-
-    /** @return the length of the first array that was not as long as the state */
-    public final Optional<Integer> wrongLength() {
-        return wrongLength;
-    }
-
-    @Override
-    protected final int checkLength(double[] array) {
-        if (array.length != getStateSize() && wrongLength.isEmpty()) {
-            wrongLength = Optional.of(array.length);
-        }
-        return Math.min(array.length, getStateSize());
-    }
-
-    /** Records from now on the reads of the state and the states at which the derivative is evaluated. */
-    public final void startRecord() {
-        reads = 0;
-        evaluatedAt.clear();
-    }
-
-    /** @return the number of reads of the state */
-    public final int readStates() {
-        return reads;
-    }
-
-    /** @return the first states at which the derivative was evaluated */
-    public final List<double[]> evaluatedAt() {
-        return evaluatedAt;
-    }
-
-    /** @return whether the derivative was evaluated at this state */
-    public final boolean hasEvaluated(double[] state) {
-        return evaluatedAt.stream().anyMatch(at -> Arrays.equals(at, state));
-    }
-
     /** @return how often the clock was moved */
     public final int timeMoves() {
         return timeMoves;
@@ -153,18 +105,9 @@ public abstract class StudentSource extends ReferenceProblem {
     }
 
     @Override
-    public void getState(double[] copy) {
-        reads++;
-        super.getState(copy);
-    }
-
-    @Override
     public void getStateDerivative(double[] dSdt) {
-        if (getEvaluations() - before == most) {
-            throw new EndlessLoop("the derivative was evaluated " + most + " times");
-        }
-        if (evaluatedAt.size() < MOST_RECORDED) {
-            evaluatedAt.add(getState());
+        if (getEvaluations() - before == MOST_EVALUATIONS) {
+            throw new EndlessLoop("the derivative was evaluated " + MOST_EVALUATIONS + " times");
         }
         super.getStateDerivative(dSdt);
     }

@@ -169,7 +169,7 @@ class CheckSolverCommandTest {
         assertStarts(screen, "MidpointSolver: right. This is the midpoint method.");
         assertTrue(screen.lines().count() <= 12, screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
+        for (String picture : List.of("order.png", "region.png", "energy.png")) {
             assertHas(report, "(" + picture + ")");
             assertTrue(Files.size(folder.resolve("report").resolve(picture)) > 1000, picture);
         }
@@ -178,7 +178,8 @@ class CheckSolverCommandTest {
     @Test
     void aWrongSolverGetsItsMistakeAndAnExitCode(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
-        String mistake = "the clock never moves: incTime(deltaT) is missing";
+        String mistake = "after step 1 of deltaT = 1/32 s the clock is off by -0.03125 s: incTime has to move it to t +"
+                + " deltaT";
         assertTrue(screen.lines().anyMatch(("WRONG, time: " + mistake)::equals), screen);
         assertStarts(screen, "NoClock: wrong. ");
         assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- WRONG, time: " + mistake);
@@ -207,9 +208,8 @@ class CheckSolverCommandTest {
     void aSolverThatRefusesSomeStepsIsRight(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, Refuses.class.getName(), folder);
         assertStarts(screen, "Refuses: right. This is the Euler method.");
-        assertHas(screen, "style: it refuses a negative deltaT (deltaT has to be above 0");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        assertHas(report, "it refuses deltaT = 0", "a step of 1 s is refused");
+        assertHas(report, "a step of 1 s is refused");
     }
 
     @Test

@@ -310,18 +310,18 @@ final class Kinds {
                 new Kind("VerletSolver", "begins without a", Optional.of(Phrase.FALL), () -> new Stoermer(1, 0, true)),
                 new Kind("VerletSolver", "(x - x before)/deltaT", Optional.of(Phrase.FALL), () -> new Stoermer(1, 0.5,
                         false)),
-                new Kind("AB2Solver", "plus", Optional.of(Phrase.EQUATION), () -> new Adams(1.5, 0.5, true)),
+                new Kind("AB2Solver", "plus", Optional.of(Phrase.FLIGHT), () -> new Adams(1.5, 0.5, true)),
                 new Kind("AB2Solver", "no reset", Optional.of(Phrase.KEPT), () -> new Adams(1.5, -0.5, false)),
-                Kind.wrong("BackwardEulerSolver", "half of deltaT", Phrase.EQUATION, backward(40, 0.5)),
+                Kind.wrong("BackwardEulerSolver", "half of deltaT", Phrase.FLIGHT, backward(40, 0.5)),
                 Kind.wrong("BackwardEulerSolver", "two rounds", Phrase.EXPLICIT, backward(2, 1)),
                 Kind.wrong("AdaptiveHeun", "keeps what it rejects", Phrase.FLIGHT, adaptive(true)),
                 Kind.wrong("AdaptiveEuler", "one step size", Phrase.NO_CONTROL, from((source, h, s) -> {
                     source.setState(plus(s, h, slope(source)));
                     source.incTime(h);
-                })), Kind.wrong("EulerSolver", "0.01 s", Phrase.FLIGHT_FIXED, from((source, h, s) -> {
+                })), Kind.wrong("EulerSolver", "0.01 s", Phrase.FLIGHT, from((source, h, s) -> {
                     source.setState(plus(s, 0.01, slope(source)));
                     source.incTime(h);
-                })), Kind.wrong("EulerSolver", "no clock", Phrase.CLOCK_STILL, from((source, h, s) ->
+                })), Kind.wrong("EulerSolver", "no clock", Phrase.CLOCK, from((source, h, s) ->
                         source.setState(plus(
                         s, h, slope(source))))),
                 Kind.wrong("EulerSolver", "never set", Phrase.NEVER_SET, from((source, h, s) -> {
@@ -334,7 +334,7 @@ final class Kinds {
                     }
                     source.setState(end);
                     source.incTime(h);
-                })), Kind.wrong("EulerSolver", "to n - 1", Phrase.LEFT_OUT, from((source, h, s) -> {
+                })), Kind.wrong("EulerSolver", "to n - 1", Phrase.ALIKE, from((source, h, s) -> {
                     double[] end = plus(s, h, slope(source));
                     end[s.length - 1] = s[s.length - 1];
                     source.setState(end);
@@ -344,7 +344,7 @@ final class Kinds {
                     end[4] -= 9.81 * h;
                     source.setState(end);
                     source.incTime(h);
-                })), Kind.wrong("EulerSolver", "a limit of the speed", Phrase.CUT_OFF, from((source, h, s) -> {
+                })), Kind.wrong("EulerSolver", "a limit of the speed", Phrase.FLIGHT, from((source, h, s) -> {
                     double[] end = plus(s, h, slope(source));
                     for (int i = 3; i < s.length; i += i % 6 == 5 ? 4 : 1) {
                         end[i] = Math.max(-100, Math.min(100, end[i]));
@@ -364,8 +364,9 @@ final class Kinds {
                     source.incTime(h);
                 })), new Kind("EulerSolver", "keeps its array", Optional.of(Phrase.KEPT),
                         PlantedSolvers.KeptArray::new),
-                new Kind("EulerSolver", "caches the size", Optional.of(Phrase.OTHER_SIZE),
+                new Kind("EulerSolver", "caches the size", Optional.of(Phrase.KEPT),
                         PlantedSolvers.CachedSize::new),
-                new Kind("Mine", "a derivative once", Optional.of(Phrase.STALE), PlantedSolvers.StaleDerivative::new));
+                new Kind("Mine", "a derivative once", Optional.of(Phrase.NO_CONVERGENCE),
+                        PlantedSolvers.StaleDerivative::new));
     }
 }
