@@ -122,6 +122,11 @@ final class Blocks {
         return particle < blockOf.length && blockOf[particle] != null;
     }
 
+    /** Whether no particle of a row moves while forces act. */
+    boolean isHeld(Row row) {
+        return IntStream.of(row.first, row.second).allMatch(i -> i < 0 || particles.isFixed(i) || usuallyHeld.test(i));
+    }
+
     /** The block of a particle. */
     Block of(int particle) {
         if (isCoupled(particle)) {

@@ -7,7 +7,8 @@ import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule.
+ * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule, and rods
+ * between particles that friction holds once one of them moves again.
  * Positions are corrected by Newton's method with the smallest mass-weighted moves, W J<sup>T</sup> mu with J W
  * J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
@@ -16,8 +17,6 @@ final class ConstraintCorrection {
     private static final double FINE = 1e-15;
     /** Accepted error of nearly singular configurations, where round-off is larger. */
     private static final double ENOUGH = 1e-9;
-    /** Accepted error where nothing moves: friction holds both ends, as the error of the step found them. */
-    private static final double HELD = 1e-6;
     private static final int MOST_ITERATIONS = 30;
 
     private final Blocks blocks;
@@ -25,7 +24,7 @@ final class ConstraintCorrection {
 
     ConstraintCorrection(Blocks blocks) {
         this.blocks = blocks;
-        rows = blocks.getRows().list.stream().filter(row -> row.kind != Row.Kind.BALLS).toList();
+        rows = blocks.getRows().list.stream().filter(row -> row.kind != Row.Kind.BALLS && !blocks.isHeld(row)).toList();
     }
 
     /** Corrects positions, then velocities; returns whether anything was changed. */
@@ -52,7 +51,7 @@ final class ConstraintCorrection {
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
             }
-            if (error <= FINE || error <= ENOUGH && error > before / 2 || error <= HELD && error == before) {
+            if (error <= FINE || error <= ENOUGH && error > before / 2) {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS) {
