@@ -40,15 +40,10 @@ public final class EffectCostCommand extends ExperimentCommand {
                 () -> Math.round(1e9 * CpuClock.seconds()), progress);
         Panel panel = EffectCost.panel(costs);
         return new ResultPage(name(), panel.title(),
-                List.of("A cloth of " + columns + " x " + columns
-                        + """
-                         particles, rk4, with one thing more at a time. 'springs' is the particle system with \
-                        springs alone; 'springs, hand-written' is the derivative as a plain loop over the springs, \
-                        four times, as a step of rk4 evaluates it.""",
-                        "A scene pays for what it names and for nothing else: no class of any other law is loaded, and"
-                        + " none of its code is called. Springs alone take " + EffectCost.overLoop(costs)
-                        + " times as long as the plain loop.",
-                        "Each bar is the fastest of " + rounds + " rounds of " + STEPS
+                List.of("A scene pays for what it names and for nothing else: this is a cloth of " + columns + " x " + columns
+                        + " particles, rk4, with one thing more at a time.",
+                        "Springs alone take " + EffectCost.overLoop(costs) + " times as long as a plain loop over them,"
+                        + " four times. Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps, in CPU time; all variants take turns."),
                 List.of(Picture.of("effect-cost",
                         "Time of a step, relative to springs alone, on a logarithmic axis.", panel)),

@@ -40,15 +40,12 @@ public final class EnergyDriftCommand extends ExperimentCommand {
         return new ResultPage(name(), title, List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
-                        contacts and collisions: it is the solver's error. It is divided by the largest kinetic plus \
-                        stored energy of the run, so the zero of the potential does not matter.""",
+                        contacts and collisions: the solver's own error, divided by the largest kinetic plus stored \
+                        energy of the run.""",
                 """
-                        Where nothing damps or drives the motion, an error drifts if the straight line through it \
-                        rises by more than twice the scatter about it and it still grows in the second half, or ends \
-                        at its largest; otherwise it is bounded. Symplectic solvers and implicit-midpoint trade \
-                        energy back and forth; most others add or remove a little in each step.""",
-                "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
-                        + " their size compares solvers."),
+                        It drifts if the straight line through it rises by more than twice the scatter about it and \
+                        it still grows in the second half, or ends at its largest; otherwise it is bounded. Where \
+                        damping, driving or impacts change the energy, only its size compares solvers."""),
                 List.of(Picture.of("energy-drift", """
                         The size of the energy error over time. At the curves: an error that drifts, at the end; the \
                         largest size of any other. A cross marks a run that ended early.""",

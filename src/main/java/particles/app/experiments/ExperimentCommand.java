@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.Optional;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
@@ -32,7 +31,6 @@ public abstract class ExperimentCommand extends ResultsCommand {
 
     @Override
     public void run(PrintWriter lines) {
-        notice().ifPresent(lines::println);
         ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
@@ -55,11 +53,6 @@ public abstract class ExperimentCommand extends ResultsCommand {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
             return measure(folder, progress).write(folder, charts.format());
         }
-    }
-
-    /** @return a line printed first, if it covers only a part, to save time */
-    protected Optional<String> notice() {
-        return Optional.empty();
     }
 
     /** @return the format of its charts */

@@ -89,10 +89,9 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                         circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \
                         solver sees.""",
                         """
-                                One step multiplies x - iv by the method's stability function R(ih), with h the time \
-                                step: N steps multiply the amplitude by |R|^N and run ahead of the exact phase by N \
-                                (arg R - h). The table has both, measured and computed; where they agree, the \
-                                picture is the method and not a bug."""),
+                                N steps multiply the amplitude by |R(ih)|^N and run ahead of the exact phase by N \
+                                (arg R - h), where R is the method's stability function and h the time step. The \
+                                table has both, measured and computed."""),
                 pictures, List.of(LectureFigures.table(results)));
     }
 

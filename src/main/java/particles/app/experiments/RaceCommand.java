@@ -4,7 +4,6 @@ import deSolvers.text.Digits;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.Observer;
 import particles.experiments.race.Race;
@@ -23,7 +22,6 @@ import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.Scene;
-import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.view.Axis;
@@ -45,11 +43,6 @@ public final class RaceCommand extends ExperimentCommand {
     private static final int MOST_FRAMES = 300;
     private static final int FRAMES_POSSIBLE = 2000;
     private static final int MOST_SOLVERS = 16;
-    /**
-     * Entries of the state times evaluations by rk4. So much takes about a minute by five solvers; a longer race, of a
-     * cloth, is over its first part unless a duration is asked for.
-     */
-    private static final double MOST_WORK = 1e7;
 
     @Mixin
     private final SceneOptions options = new SceneOptions();
@@ -58,12 +51,14 @@ public final class RaceCommand extends ExperimentCommand {
             "Frames of the animation, which shows 20 a second (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
-    private Supplier<SceneDescription> scene;
-
     @Override
     protected void read(Mistakes mistakes) {
         options.read(mistakes, this, "soft-chain", SOLVERS);
-        scene = mistakes.value(this::readScene);
+        mistakes.check(() -> {
+            if (!(options.scene().duration() > 0)) {
+                throw wrong("duration", "a race has to last longer than 0 s");
+            }
+        });
         mistakes.check(() -> {
             if (frames != null) {                       // picocli leaves an option null that was not given
                 requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
@@ -77,34 +72,6 @@ public final class RaceCommand extends ExperimentCommand {
         super.read(mistakes);
     }
 
-    private SceneDescription readScene() {
-        SceneDescription whole = options.scene();
-        if (!(whole.duration() > 0)) {
-            throw wrong("duration", "a race has to last longer than " + Digits.few(whole.duration()) + " s");
-        }
-        return options.haveDuration() ? whole : whole.withDuration(affordable(whole));
-    }
-
-    /** @return the scene's duration, or a round part of it that is not too much work (s) */
-    static double affordable(SceneDescription scene) {
-        // the work of rk4 on the whole scene, as a multiple of the most that a race has
-        double races = SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT()
-                / MOST_WORK;
-        if (!(races > 1)) {
-            return scene.duration();
-        }
-        return Double.parseDouble(Digits.roundedDown(scene.duration() / races, 2));
-    }
-
-    @Override
-    protected Optional<String> notice() {
-        SceneDescription whole = options.scene();
-        double first = scene.get().duration();
-        return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
-                + Digits.few(first) + " s of this scene; " + getStyle().option("duration") + "="
-                + Digits.exact(whole.duration()) + " races over all of it, which takes longer");
-    }
-
     private int frameCount(SceneDescription scene) {
         return frames != null ? frames
                 : (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * scene.duration())));
@@ -113,9 +80,9 @@ public final class RaceCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<SolverChoice> solvers = options.solvers();
-        int count = frameCount(scene.get());
-        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration())) {
-            Result race = new Race(scene.get(), solvers, count).run(pictures, progress.part(0, 0.5));
+        int count = frameCount(options.scene());
+        try (RacePictures pictures = new RacePictures(solvers.size(), count / options.scene().duration())) {
+            Result race = new Race(options.scene(), solvers, count).run(pictures, progress.part(0, 0.5));
             ProgressListener drawing = progress.part(0.5, 1);
             return page(race, count, pictures.write(folder, race, part ->
                     drawing.reached(part, "drawing the animation")));
@@ -134,9 +101,7 @@ public final class RaceCommand extends ExperimentCommand {
                         . The chart shows the energy error of each solver, physics taken out, over the energy \
                         scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
                         its panel stays as it was.""",
-                (race.duration() == options.scene().duration() ? "" : "The race is over the first "
-                        + Digits.few(race.duration()) + " s of " + Digits.exact(options.scene().duration()) + " s. ")
-                        + Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
+                Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),

@@ -11,19 +11,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import particles.Motion;
-import particles.Observer;
-import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.Program;
 import particles.app.cli.ResultsCommand;
-import particles.experiments.race.Race;
-import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.runs.SceneRun;
-import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -49,8 +42,6 @@ public final class ReportCommand extends ResultsCommand {
     private static final String DURATION_OPTION = "--duration";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
-    /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
-    private static final double ENOUGH = 1.5;
     private static final int MOST_LINES = 8;
     private static final double NANO = 1e-9;
 
@@ -73,8 +64,7 @@ public final class ReportCommand extends ResultsCommand {
             + " that look at it).")
     private String names = "all";
 
-    @Option(names = DURATION_OPTION, paramLabel = "SECONDS", description = "A duration other than the scene's"
-            + " (default: the first part of it if the whole scene would take long).")
+    @Option(names = DURATION_OPTION, paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
     private Supplier<Optional<SceneDescription>> about;
@@ -108,8 +98,6 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
         long begin = System.nanoTime();
-        about.get().filter(scene -> duration == null && chosen.stream().anyMatch(one -> has(one, DURATION_OPTION)))
-                .ifPresent(scene -> shorten(scene, lines));
         chosen.forEach(this::prepare);
         ProgressListener progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
@@ -126,25 +114,6 @@ public final class ReportCommand extends ResultsCommand {
         lines.println();
         lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", (System.nanoTime() - begin) * NANO,
                 getFolder().resolve(FILE));
-    }
-
-    /** Takes the first part of a scene whose accurate runs would take too long. */
-    private void shorten(SceneDescription scene, PrintWriter lines) {
-        double end = CpuClock.seconds() + ENOUGH;
-        Outcome reference = SceneRun.run(SceneRun.build(scene, Race.reference(scene.deltaT())), List.of(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                if (CpuClock.seconds() > end) {
-                    throw new SimulationException(motion.getEndTime(), -1, "this takes too long", null);
-                }
-            }
-        }));
-        if (CpuClock.seconds() > end && reference.endTime() < scene.duration()) {
-            duration = Digits.roundedDown(reference.endTime(), 1);
-            lines.println("the report is over the first " + duration + " s of this scene; "
-                    + getStyle().option("duration") + "=" + Digits.exact(scene.duration())
-                    + " is over all of it and takes longer");
-        }
     }
 
     private Optional<SceneDescription> readScene() {

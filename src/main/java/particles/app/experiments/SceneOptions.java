@@ -47,11 +47,6 @@ final class SceneOptions {
         return SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses());
     }
 
-    /** @return whether the options have another duration than the scene's */
-    boolean haveDuration() {
-        return duration != null;
-    }
-
     /** @return the scene, with the options in place of its own values */
     SceneDescription scene() {
         return description.get();

@@ -89,19 +89,12 @@ public final class StabilityCommand extends ExperimentCommand {
         return new ResultPage(name(), "Stability limits of all solvers", List.of(
                 """
                         Every number was measured on the solver's code, by bisection on the test equation y' = \
-                        lambda y. Beside it is the theory, as in the catalogue. A spring without damping lies on the \
-                        imaginary axis, lambda = i omega; pure decay lies on the negative real axis.""",
+                        lambda y, or of symplectic solvers on a damped spring with these eigenvalues; beside it is \
+                        the theory. A spring without damping lies on the imaginary axis, pure decay on the negative \
+                        real axis. A step that a solver refuses counts as unstable.""",
                 """
-                        An adaptive solver makes its sub-steps shorter before anything grows. With an unlimited \
-                        tolerance it takes one sub-step of deltaT; that sub-step is measured. Beyond its limit it \
-                        has to take more sub-steps, and that is what a stiff system costs it. bulirsch-stoer states \
-                        no limits, as every number of lines of its table has its own; measured are those with which \
-                        it begins.""",
-                """
-                        Symplectic solvers need positions and velocities: what is measured is a damped spring with \
-                        the eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet \
-                        and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and \
-                        with strong damping it is their limit."""),
+                        Of an adaptive solver one sub-step is measured; it divides longer steps. bulirsch-stoer states \
+                        no limits: measured are those of the first line of its table."""),
                 progress.part(0.5, 0.9).each(List.of(
                         new Region("slides",
                                 """
@@ -164,10 +157,8 @@ public final class StabilityCommand extends ExperimentCommand {
                         scene does not excite it, such as the sideways swing of a stretched spring.%s""",
                         spectrum.decaying().get(0).size(), spectrum.products(), Math.max(1e-15, spectrum.error()),
                         grows),
-                """
-                        Where springs turn, stretch or hit something, the spectrum changes during the motion, and the \
-                        longest stable step with it. An adaptive solver divides a deltaT that is too long; its longest \
-                        stable sub-step is given. An unbounded step is stable, not accurate.""");
+                "The spectrum changes during the motion, and the longest stable step with it. Of an adaptive solver, the"
+                        + " longest stable sub-step is given. An unbounded step is stable, not accurate.");
     }
 
     private static DataTable modes(Spectrum spectrum) {

@@ -69,19 +69,12 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                 + CostExercise.answer(costs) + ".",
                 """
                         Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of \
-                        the one before. Its slope is the order: with half the step, the error of rk4 falls to a \
-                        sixteenth. Slopes are fitted only where they are those of the method: over the last three or \
-                        more errors in a row that are less than 0.1, above the last digits, and on a straight line, \
-                        which says that the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. \
-                        A slope that is off theory by more than 1.25 is none of the method: such errors fall for \
-                        another reason, as where sub-steps become short enough to be stable. Points that are fitted \
-                        are filled.""",
+                        the one before. Its slope is the order, fitted over the filled points: the last three or more \
+                        errors in a row below 0.1 and above the last digits that lie on a straight line.""",
                 """
-                        The stiff chain only follows its shaken wall. Explicit solvers have no result until their \
-                        step is short enough for the stiffest spring, and are then more accurate than needed. \
-                        Implicit ones take long steps, but see only the stages of a step: there radau has the order \
-                        of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
-                        equal steps here, like the others."""),
+                        Explicit solvers have no result on the stiff chain until their step is short enough for the \
+                        stiffest spring. Implicit ones take long steps; there radau has the order of its stages, 3, \
+                        and not 5."""),
                 pictures, List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
     }
 

@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.SimulationException;
@@ -116,17 +115,6 @@ class ReportCommandTest {
         assertFalse(page.contains("could not be made"), "only what was asked for");
         report(ExitCode.DONE, ODD, "--scene=" + odd);
         assertFalse(page().contains("could not be made"), "and by default only what looks at the scene");
-    }
-
-    /** A reference run of all 4 s takes 84 s. */
-    @Test
-    @Tag("slow")
-    void aSceneThatTakesLongIsShortened() throws IOException {
-        Screen screen = report(ExitCode.DONE, ODD, "--scene=17");
-        assertHas(screen.out(), "the report is over the first 0.", "-Pduration=4 is over all of it");
-        assertHas(page(), ", for 0.");
-        assertFalse(report(ExitCode.DONE, ODD, "--scene=17", "--duration=3").out().contains("the report is over"));
-        assertHas(page(), ", for 3 s");
     }
 
     @Test
