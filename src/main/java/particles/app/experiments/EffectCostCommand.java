@@ -40,8 +40,8 @@ public final class EffectCostCommand extends ExperimentCommand {
                 () -> Math.round(1e9 * CpuClock.seconds()), progress);
         Panel panel = EffectCost.panel(costs);
         return new ResultPage(name(), panel.title(),
-                List.of("A scene pays for what it names and for nothing else: this is a cloth of " + columns + " x " + columns
-                        + " particles, rk4, with one thing more at a time.",
+                List.of("A scene pays for what it names and for nothing else: this is a cloth of "
+                        + columns + " x " + columns + " particles, rk4, with one thing more at a time.",
                         "Springs alone take " + EffectCost.overLoop(costs) + " times as long as a plain loop over them,"
                         + " four times. Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps, in CPU time; all variants take turns."),

@@ -157,8 +157,9 @@ public final class StabilityCommand extends ExperimentCommand {
                         scene does not excite it, such as the sideways swing of a stretched spring.%s""",
                         spectrum.decaying().get(0).size(), spectrum.products(), Math.max(1e-15, spectrum.error()),
                         grows),
-                "The spectrum changes during the motion, and the longest stable step with it. Of an adaptive solver, the"
-                        + " longest stable sub-step is given. An unbounded step is stable, not accurate.");
+                """
+                        The spectrum changes during the motion, and the longest stable step with it. Of an adaptive \
+                        solver, the longest stable sub-step is given. An unbounded step is stable, not accurate.""");
     }
 
     private static DataTable modes(Spectrum spectrum) {

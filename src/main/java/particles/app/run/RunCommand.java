@@ -184,7 +184,8 @@ public final class RunCommand extends ResultsCommand {
                 observers.attach(progress, stop);
                 early = simulate(scene, folder, observers);
             }
-            Summary summary = new Summary(name, Digest.of(text), scene, observers.getEnergy(), progress.seconds());
+            Summary summary = new Summary(name, Digest.of(text), set, scene, observers.getEnergy(),
+                    progress.seconds());
             folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
             observers.writeReplay(name, text, early.orElse("")).ifPresent(out::println);

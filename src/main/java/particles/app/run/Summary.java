@@ -28,11 +28,12 @@ import particles.spec.JsonText;
  *
  * @param name     the name of the scene
  * @param hash     SHA-256 of its file's bytes, in hexadecimal
+ * @param set      values that were set in place of the file's, as they were typed; may be empty
  * @param scene    after its run
  * @param recorder its recorded energies
  * @param seconds  the wall-clock time of the run (s)
  */
-record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, double seconds) {
+record Summary(String name, String hash, String set, Scene scene, EnergyRecorder recorder, double seconds) {
     /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
     private static final double LARGE_ERROR = 0.1;
     /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
@@ -71,6 +72,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
                 "largestRelativeNumericalError", relative(books().getLargestNumericalError()),
                 "work", books().getWork());
         return JsonText.of(JsonText.map("version", Program.VERSION, "scene", name, "sceneSha256", hash,
+                "set", set,
                 "solver", scene.description().solver(), "deltaT", simulation().getDeltaT(),
                 "duration", simulation().getDuration(), "endTime", scene.system().getTime(),
                 "steps", simulation().getSteps(), "evaluations", scene.system().getEvaluations(),

@@ -20,13 +20,15 @@ import particles.view.Series.Mark;
 
 /**
  * The results of a grid as charts and as a table: each measure over the first axis, with a curve for each value of the
- * second one and a panel for each value of the third.
+ * second one and a panel for each value of the third, or for some of many.
  *
  * @param grid     the axes
  * @param measures what was measured
  * @param rows     the results, in any order
  */
 public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
+    /** Of more values of the second axis, or of the third, these many are drawn, at equal distances in the list. */
+    private static final int MOST_DRAWN = 8;
 
     /** @return the measures that have a picture */
     public List<Measure> drawn() {
@@ -44,7 +46,7 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
             return List.of(Panel.of(over, charts(measure, rows)));
         }
         GridAxis third = grid.axes().get(2);
-        return third.values().stream().map(value -> Panel.of(over + ", " + third.key() + " = " + value,
+        return some(third).stream().map(value -> Panel.of(over + ", " + third.key() + " = " + value,
                 charts(measure, rows.stream().filter(row -> row.at().get(2).equals(value)).toList())).named(value))
                 .toList();
     }
@@ -53,7 +55,7 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
     private List<Chart> charts(Measure measure, List<Row> some) {
         GridAxis first = grid.axes().get(0);
         int m = measures.indexOf(measure);
-        List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : grid.axes().get(1).values();
+        List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : some(grid.axes().get(1));
         Axis y = measure.axis(first.log());
         List<Series> series = new ArrayList<>();
         List<Series> failed = new ArrayList<>();
@@ -63,7 +65,7 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
             Look look = SolverCatalog.find(curve).map(Look::of).orElseGet(() -> Look.number(number));
             List<Row> own = some.stream().filter(row -> grid.axes().size() < 2 || row.at().get(1).equals(curve))
                     .toList();
-            series.add(Series.of(look, curve, Mark.LINE_AND_POINTS, own, this::x, row -> row.measured().get(m))
+            series.add(Series.of(look, named(curve), Mark.LINE_AND_POINTS, own, this::x, row -> row.measured().get(m))
                     .ending(y));
             failed.add(Series.of(look, "failed", Mark.FAILURES, own.stream().filter(row ->
                     !row.end().equals(SceneGrid.WHOLE)).toList(), this::x, row -> number));
@@ -73,7 +75,19 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
                     one.name(), Mark.POINTS, one.y(), one.x())).toList()).inRows(first.values()));
         }
         return new Chart(first.axis(), y, series).named(measure.name().replace(' ', '-'))
-                .above("failed", curves, failed);
+                .above("failed", curves.stream().map(this::named).toList(), failed);
+    }
+
+    private static List<String> some(GridAxis axis) {
+        int last = axis.values().size() - 1;
+        return last < MOST_DRAWN ? axis.values() : IntStream.range(0, MOST_DRAWN).mapToObj(k ->
+                axis.values().get(k * last / (MOST_DRAWN - 1))).toList();
+    }
+
+    /** A solver is known by its name, a number by its key. */
+    private String named(String curve) {
+        String key = grid.axes().size() < 2 ? "solver" : grid.axes().get(1).key();
+        return key.equals("solver") ? curve : key.substring(key.lastIndexOf('.') + 1) + " = " + curve;
     }
 
     private double x(Row row) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.grid.Grid.Row;
 import particles.scene.SceneReader;
 import particles.spec.ClassNames;
+import particles.view.Series;
 
 /** Laws that rows of a grid have to follow. */
 class SceneGridTest {
@@ -100,5 +101,16 @@ class SceneGridTest {
                 .values());
         assertEquals(List.of(List.of("1", "3"), List.of("1", "4"), List.of("2", "3"), List.of("2", "4")),
                 new Grid(GridAxis.list("a = 1, 2; b = 3, 4")).points());
+    }
+
+    @Test
+    void aChartHasACurveForSomeOfManyValues() {
+        Grid grid = new Grid(GridAxis.list("duration = 1, 2; springs[0].damping = 0 .. 98 by 1"));
+        List<Measure> measures = Measure.list("steps");
+        List<Row> rows = grid.points().stream().map(point -> new Row(point, List.of(1.0), SceneGrid.WHOLE)).toList();
+        List<String> names = new GridCharts(grid, measures, rows).panels(measures.get(0), "").get(0).charts().get(0)
+                .series().stream().map(Series::name).toList();
+        assertEquals(List.of("damping = 0", "damping = 14", "damping = 28", "damping = 42", "damping = 56",
+                "damping = 70", "damping = 84", "damping = 98"), names);
     }
 }
