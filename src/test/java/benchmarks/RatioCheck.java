@@ -1,10 +1,10 @@
 package benchmarks;
 
+import com.sun.management.OperatingSystemMXBean;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
@@ -20,22 +20,28 @@ final class RatioCheck {
     /** A ratio may exceed its figure by this factor. */
     private static final double SLACK = 1.15;
     /**
-     * Time over that of the loop by hand: measured in three runs on a server with two cores, where they differ by up to
-     * a tenth. A chain of 100 particles is short enough that what a step costs beside its evaluations counts.
+     * Time over that of the loop by hand: medians of nine runs on a server with two cores, six of them beside two busy
+     * loops. Runs differ by up to 9 %, as the compiler is luckier in some. In a chain of 100 particles, what a step
+     * costs beside its evaluations counts.
      */
     private static final List<Row> ROWS = List.of(
-            new Row("chain", "rk4", 1.28), new Row("chain", "midpoint", 1.46), new Row("chain", "euler", 1.48),
-            new Row("chain", "symplectic-euler", 1.27),
-            new Row("cloth-64", "rk4", 1.05), new Row("cloth-64", "midpoint", 1.05),
-            new Row("cloth-64", "euler", 1.05), new Row("cloth-64", "symplectic-euler", 1.05));
+            new Row("chain", "rk4", 1.22), new Row("chain", "midpoint", 1.39), new Row("chain", "euler", 1.38),
+            new Row("chain", "symplectic-euler", 1.19),
+            new Row("cloth-64", "rk4", 0.96), new Row("cloth-64", "midpoint", 0.98),
+            new Row("cloth-64", "euler", 0.97), new Row("cloth-64", "symplectic-euler", 0.96));
     /** Two threads' time over one thread's, rk4 on a cloth of 64 x 64. */
-    private static final double TWO_THREADS = 0.65;
-    private static final int PAIRS = 15;
-    /** A slow ratio is measured again: other work on the machine makes it slower at times, and a loss always. */
-    private static final int TRIES = 3;
-    private static final long BLOCK = 15_000_000;               // ns
+    private static final double TWO_THREADS = 0.6;
+    private static final int PAIRS = 60;
+    /** A slow ratio is measured on: other work on the machine can slow all blocks so far, and a loss slows all. */
+    private static final int MOST_PAIRS = 600;
+    /** Short, so that many blocks are not interrupted (ns). */
+    private static final long BLOCK = 2_000_000;
     private static final long WARM_UP = 400_000_000;
     private static final long LONGEST = 15_000_000_000L;
+    /** With more than this, two threads seldom run at once, and their time says nothing (processors). */
+    private static final double MOST_BUSY = 0.2;
+    private static final OperatingSystemMXBean MACHINE = ManagementFactory.getPlatformMXBean(
+            OperatingSystemMXBean.class);
     private static final ThreadMXBean CPU = ManagementFactory.getThreadMXBean();
 
     private RatioCheck() {
@@ -85,15 +91,15 @@ final class RatioCheck {
 
     /** A row's two contestants. */
     private record Pair(Row row, Timed ours, Timed byHand) {
-        /** The median of pairs of blocks, back to back. */
+        /** The fastest block of each, of pairs back to back: other work makes blocks slower, never faster. */
         double ratio() {
-            double[] ratios = new double[PAIRS];
-            for (int n = 0; n < PAIRS; n++) {
-                double hand = byHand.timePerSolution();
-                ratios[n] = ours.timePerSolution() / hand;
+            double fastest = Double.POSITIVE_INFINITY;
+            double hand = Double.POSITIVE_INFINITY;
+            for (int n = 0; n < PAIRS || n < MOST_PAIRS && fastest > row.limit() * hand; n++) {
+                hand = Math.min(hand, byHand.timePerSolution());
+                fastest = Math.min(fastest, ours.timePerSolution());
             }
-            Arrays.sort(ratios);
-            return ratios[PAIRS / 2];
+            return fastest / hand;
         }
     }
 
@@ -110,18 +116,27 @@ final class RatioCheck {
         out.println("CPU time over that of a loop by hand (limit):");
         boolean good = true;
         for (Pair pair : pairs) {
-            double ratio = pair.ratio();
-            for (int n = 1; n < TRIES && ratio > pair.row.limit(); n++) {
-                ratio = Math.min(ratio, pair.ratio());
-            }
-            good &= report(out, pair.row.workload + ", " + pair.row.method, ratio, pair.row.limit());
+            good &= report(out, pair.row.workload + ", " + pair.row.method, pair.ratio(), pair.row.limit());
         }
         if (Runtime.getRuntime().availableProcessors() < 2) {
             out.println("two threads: not measured on one processor");
             return good;
         }
         out.println("two threads' time over one thread's (limit):");
-        return report(out, "cloth-64, rk4", twoThreads(), SLACK * TWO_THREADS) && good;
+        busyElsewhere();
+        double ratio = twoThreads();
+        double busy = busyElsewhere();
+        if (ratio > SLACK * TWO_THREADS && busy > MOST_BUSY) {
+            out.printf(Locale.ROOT, "cloth-64, rk4               %.2f, not judged: other programs kept %.1f processors"
+                    + " busy%n", ratio, busy);
+            return good;
+        }
+        return report(out, "cloth-64, rk4", ratio, SLACK * TWO_THREADS) && good;
+    }
+
+    /** How many processors other programs kept busy since the last call. */
+    private static double busyElsewhere() {
+        return (MACHINE.getCpuLoad() - MACHINE.getProcessCpuLoad()) * MACHINE.getAvailableProcessors();
     }
 
     private static boolean report(PrintStream out, String name, double ratio, double limit) {
