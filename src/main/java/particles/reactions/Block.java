@@ -164,7 +164,6 @@ final class Block {
             separation = new double[most];
             mayOpen = new boolean[most];
             active = new boolean[most];
-            first = new boolean[most];
         }
         Arrays.fill(active, true);
         firstAt = NONE;
@@ -264,7 +263,7 @@ final class Block {
             Arrays.fill(active, true);
         } else if (firstAt != contacts.getSliding().getStep()) {
             firstAt = contacts.getSliding().getStep();
-            System.arraycopy(active, 0, first, 0, first.length);
+            first = active.clone();
         } else {                                        // the same state has the same forces, to the last digit
             System.arraycopy(first, 0, active, 0, first.length);
         }
