@@ -222,8 +222,8 @@ class RodsTest {
     }
 
     /**
-     * The rod's force grows with v&sup2;, so symplectic methods are none here: their energy drifts without end. Measured
-     * as a part of the energy, after this time and twice as long.
+     * The rod's force grows with v&sup2;, so symplectic methods are none here: their energy drifts without end.
+     * Measured as a part of the energy, after this time and twice as long.
      */
     @ParameterizedTest
     @CsvSource({"symplectic-euler, 0.005, 20, 0.2034, 0.5206", "verlet, 0.005, 100, -0.00255, -0.00513",
