@@ -156,9 +156,16 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
 
     @Override
     public final double getPotentialEnergy(double[] state, double time) {
-        double[] sum = new double[1];
-        forEachPair(state, (i, j, square, parting) -> sum[0] += potential(i, j, square));
-        return sum[0];
+        findNeighbours(state);
+        double energy = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            int end = end(i);
+            for (int k = first(i, false); k < end; k++) {
+                double square = square(state, STRIDE * i, STRIDE * near[k]);
+                energy += reaches(i, near[k], square) ? potential(i, near[k], square) : 0;
+            }
+        }
+        return energy;
     }
 
     /** {@inheritDoc} The rate at which the potential falls minus the power on the particles. */
@@ -170,6 +177,13 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
                     * (perLength(i, j, square, 0) - perLength(i, j, square, parting)));
         }
         return sum[0];
+    }
+
+    private static double square(double[] state, int i, int j) {
+        double rx = state[i] - state[j];
+        double ry = state[i + 1] - state[j + 1];
+        double rz = state[i + 2] - state[j + 2];
+        return rx * rx + ry * ry + rz * rz;
     }
 
     /** Something to do with a pair in reach. */
