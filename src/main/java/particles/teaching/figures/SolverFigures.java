@@ -20,8 +20,8 @@ import particles.view.Chart;
 import particles.view.DataTable;
 import particles.view.Look;
 import particles.view.Panel;
-import particles.view.Series.Mark;
 import particles.view.Series;
+import particles.view.Series.Mark;
 
 /**
  * Measurements of a solver on motions with known solutions, as numbers and charts.

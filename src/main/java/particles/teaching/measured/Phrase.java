@@ -19,8 +19,8 @@ public enum Phrase {
     CLOCK(Kind.TIME, "after step %s of deltaT = %s s the clock is off by %s s: incTime has to move it to t + deltaT"),
     LAYOUT(Kind.STATE, "entry %s of the new state changes with entry %s of the state or of the derivative, and has to"
             + " change with its own: the state is x, y, z, vx, vy, vz of one particle after the other"),
-    ADDS(Kind.STATE, "where state and derivative are 0, entry %s is %s after a step: something is added that the source"
-            + " does not say"),
+    ADDS(Kind.STATE, "where state and derivative are 0, entry %s is %s after a step: something is added that"
+            + " the source does not say"),
     ALIKE(Kind.STATE, "%s particles start alike, and after a step %s: loops and arrays have to reach all"
             + " source.getStateSize() entries"),
     // motions that every method makes exactly
@@ -31,8 +31,8 @@ public enum Phrase {
             + " and exactly %s a deltaT^2"),
     UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: what is added"
             + " to it has another unit, as a velocity where an acceleration is meant, or deltaT once too often"),
-    SEVEN_DIGITS(Kind.STATE, "digits get lost: this is %s, but its step is off by %s, as with float numbers; all have"
-            + " to be double"),
+    SEVEN_DIGITS(Kind.STATE, "digits get lost: this is %s, but its step is off by %s, as with float numbers;"
+            + " all have to be double"),
     // the formula
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
@@ -44,8 +44,8 @@ public enum Phrase {
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
     NOT_THE_METHOD(Kind.NAME, "its step is not that of %s: it is off by %s after a step of %s s"),
     EXPLICIT(Kind.NAME, "it is explicit, with %s evaluations in a step: nothing is solved, as in %s"),
-    EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or another"
-            + " one is"),
+    EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or"
+            + " another one is"),
     NOTHING_EARLIER(Kind.NAME, "%s uses earlier steps; each step of this solver is the one that a new solver makes"),
     NO_CONTROL(Kind.NAME, "a step of 4 s and one of 1/4 s take as many evaluations: there is no step-size control"),
     // measured
