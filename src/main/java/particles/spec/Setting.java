@@ -170,8 +170,7 @@ public final class Setting {
             return problem(in, "there is no list for " + path.get(0));
         }
         if (index >= list.getValue().size()) {
-            return problem(in, path.get(0) + " does not exist; the last one is [" + (list.getValue().size() - 1)
-                    + "]");
+            return problem(in, path.get(0) + " does not exist; there are " + list.getValue().size() + ", from [0] on");
         }
         List<Node> items = new ArrayList<>(list.getValue());
         Type<?> child = type instanceof ListType<?> of ? of.element() : UNKNOWN;

@@ -42,7 +42,7 @@ class SummaryTest {
         EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
         energy.attachTo(scene.simulation(), List.of());
         scene.simulation().run();
-        return new Summary("one \"spring\"", "ab12", "", scene, energy, 0.25);
+        return new Summary("one \"spring\"", "ab12", "deltaT=0.5", scene, energy, 0.25);
     }
 
     /** A ball between two others, 0.1 mm from each: at 1 m/s it hits one of them 5,000 times a second. */
@@ -74,6 +74,7 @@ class SummaryTest {
                   "version" : "0.1.0",
                   "scene" : "one \\"spring\\"",
                   "sceneSha256" : "ab12",
+                  "set" : "deltaT=0.5",
                   "solver" : "euler",
                   "deltaT" : 0.5,
                   "duration" : 0.5,
