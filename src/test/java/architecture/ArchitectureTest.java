@@ -116,8 +116,8 @@ class ArchitectureTest {
             particles.law:                 deSolvers
             particles.output.animation:    particles particles.output.charts particles.output.files
                                            particles.output.frames particles.view java.awt javax.imageio org.jcodec
-            particles.output.charts:       deSolvers.text particles.output.files particles.view java.awt javax.xml
-                                           com.lowagie org.apache.batik org.jfree org.w3c.dom
+            particles.output.charts:       deSolvers.text particles.output.files particles.view java.awt
+                                           javax.imageio javax.xml com.lowagie org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law java.awt ar.com.hjg.pngj com.fasterxml.jackson
             particles.output.frames:       deSolvers.text particles particles.law particles.output.files
                                            particles.output.painters particles.output.raster particles.view java.awt
@@ -125,8 +125,7 @@ class ArchitectureTest {
                                            com.carrotsearch.hppc
             particles.output.raster:       deSolvers.text particles.law particles.view java.awt
             particles.output.report:       deSolvers.catalog deSolvers.text particles.output.charts
-                                           particles.output.files particles.view java.awt javax.imageio
-                                           com.samskivert
+                                           particles.output.files particles.view javax.imageio com.samskivert
             particles.output.usd:          particles particles.law particles.output.files particles.output.painters
                                            particles.output.raster particles.view
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
