@@ -134,7 +134,8 @@ class ChartsTest {
         XYPlot below = plot.getSubplots().get(1);
         assertTrue(below.getRangeAxis().getUpperBound() < 1.2e-14, "a small drift fills its axis");
         assertEquals(List.of(2, 1), Charts.plots(chart).stream().map(part -> part.ends.labelled.size()).toList());
-        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart), ChartFormat.PAGE)), "all names stand in the chart");
+        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart), ChartFormat.PAGE)),
+                "all names stand in the chart");
     }
 
     /** Runs without a result stand in rows below, named, from above in the order given; the legend has their mark. */
@@ -151,7 +152,8 @@ class ChartsTest {
         assertEquals(List.of("euler", "rk4"), List.of(rows.getSymbols()));
         assertTrue(rows.isInverted());
         assertTrue(plot.getDomainAxis().getUpperBound() >= 1000, "the axis reaches to the failures");
-        LegendItemCollection legend = Charts.legend(Charts.plots(chart), ChartFormat.PAGE).getSources()[0].getLegendItems();
+        LegendItemCollection legend = Charts.legend(Charts.plots(chart),
+                ChartFormat.PAGE).getSources()[0].getLegendItems();
         assertEquals(1, legend.getItemCount(), "rk4 has its name at its end");
         assertEquals("did not converge", legend.get(0).getLabel());
         assertEquals(ChartStyle.GIVEN_UP, legend.get(0).getShape());
