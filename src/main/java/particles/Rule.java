@@ -54,6 +54,11 @@ public interface Rule {
         return Double.POSITIVE_INFINITY;
     }
 
+    /** @return the number of births that are due and wait for room */
+    default long getWaiting() {
+        return 0;
+    }
+
     /**
      * Called at the end of each step; may change the system.
      *

@@ -9,8 +9,8 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * The constant data of all particles: id, mass, radius, whether they are fixed. Positions and velocities are in the state: the
- * position of particle i begins at entry 6 i, its velocity at 6 i + 3.
+ * The constant data of all particles: id, mass, radius, whether they are fixed. Positions and velocities are in the
+ * state: the position of particle i begins at entry 6 i, its velocity at 6 i + 3.
  */
 public final class Particles {
     /** Doubles per particle in a state: three positions, three velocities. */

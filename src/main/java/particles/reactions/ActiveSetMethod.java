@@ -27,6 +27,8 @@ final class ActiveSetMethod {
     private static final double LOST = 1e-14;
     /** Round-off of accelerations, relative to the largest entry of b, where all masses are equal. */
     private static final double NOISE = 0x1p-49;
+    /** With more noise than this, nobody knows which rows are dependent. */
+    private static final double MOST_NOISE = NOISE * ConstraintCorrection.MOST_UNEVEN;
     /** The residual of good factors, relative to the largest entry of b. */
     private static final double ACCURATE = 1e-12;
 
@@ -59,11 +61,6 @@ final class ActiveSetMethod {
         noise = NOISE * ratio;
     }
 
-    /** Whether active rows were linearly dependent at any point of the last search. */
-    boolean metDependentRows() {
-        return dependent;
-    }
-
     /** The largest residual entry of active rows, which is large if they contradict each other; 0 for round-off. */
     double getLeft() {
         return left;
@@ -78,7 +75,8 @@ final class ActiveSetMethod {
      * @param active  the contacts with which the search starts; receives those that push
      * @param lambda  receives the solution
      * @param w       receives A lambda - b
-     * @return false if the search does not end, even with elastic contacts: no forces satisfy all conditions
+     * @return false if the search does not end, even with elastic contacts: no forces satisfy all conditions; or if
+     *         rows are dependent, perhaps only by round-off of very uneven masses
      */
     boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, boolean[] active,
             double[] lambda, double[] w) {
@@ -102,7 +100,7 @@ final class ActiveSetMethod {
         for (int r = 0; r < n; r++) {
             largest = Math.max(largest, Math.abs(b[r]));
         }
-        return search(signed) || searchElastic();
+        return (search(signed) || searchElastic()) && !(dependent && noise > MOST_NOISE);
     }
 
     private boolean search(boolean signed) {

@@ -3,10 +3,11 @@ package particles.reactions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.SimulationException;
 import particles.law.Particles;
@@ -280,12 +281,6 @@ final class Block {
         return solved;
     }
 
-    /** The row of a kind with a number and a first particle. */
-    Optional<Row> find(Kind kind, int number, int particle) {
-        return Arrays.stream(rows).filter(row -> row.kind == kind && row.number == number && row.first == particle)
-                .findFirst();
-    }
-
     /** Adds the forces of all rows, with friction. */
     void addForces(double[] force) {
         for (Row row : rows) {
@@ -311,15 +306,9 @@ final class Block {
 
     /** The error that ends a run where no forces or impulses satisfy the conditions. */
     SimulationException failure(double time, String reason) {
-        int particle = particles[0];
-        List<String> what = new ArrayList<>();
-        if (Arrays.stream(members).anyMatch(r -> all.get(r).kind != Kind.BALLS)) {
-            what.add("rods and wires");
-        }
-        if (Arrays.stream(rows).anyMatch(Row::isContact)) {
-            what.add("contacts");
-        }
-        return new SimulationException(time, particle, "the " + String.join(" and ", what)
-                + " connected to particle '" + system.id(particle) + "' " + reason, null);
+        String what = Arrays.stream(rows).map(row -> row.isContact() ? "contacts" : "rods and wires").distinct()
+                .sorted(Comparator.reverseOrder()).collect(Collectors.joining(" and "));
+        return new SimulationException(time, particles[0], "the " + what + " connected to particle '"
+                + system.id(particles[0]) + "' " + reason, null);
     }
 }

@@ -69,7 +69,7 @@ public final class BlockImpacts {
         }
         block.takeForImpact(List.of(new Meeting(surface, particle, 0, Vector3.ZERO)), state);
         block.keep(Arrays.stream(block.rows).filter(row -> row.kind != Kind.BALLS));
-        Row struck = block.find(Kind.SURFACE, surface, particle).orElseThrow();
+        Row struck = Row.find(block.rows, Kind.SURFACE, surface, particle).orElseThrow();
         for (Row row : block.rows) {
             row.right = row == struck ? 1 : 0;
         }
@@ -209,7 +209,8 @@ public final class BlockImpacts {
         double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
                 .orElse(0);
         if (!solved && approach > CONTRADICTION * fast) {
-            throw noRoom(block);
+            throw ConstraintCorrection.areUneven(block)
+                    ? block.failure(contacts.getSystem().getTime(), ConstraintCorrection.LOST) : noRoom(block);
         }
         block.move(state, 3);
         for (Row row : block.rows) {
@@ -238,7 +239,8 @@ public final class BlockImpacts {
         if (row.kind == Kind.SURFACE) {
             return "'" + row.surface.name() + "'";
         }
-        String other = row.kind == Kind.WIRE ? "" : "'" + contacts.getSystem().getParticles().id(row.first + row.second - i) + "'";
+        String other = row.kind == Kind.WIRE ? ""
+                : "'" + contacts.getSystem().getParticles().id(row.first + row.second - i) + "'";
         return row.kind == Kind.BALLS ? other : row.kind == Kind.ROD ? "its rod to " + other : "its wire";
     }
 

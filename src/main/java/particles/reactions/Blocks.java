@@ -1,6 +1,5 @@
 package particles.reactions;
 
-import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -30,10 +29,6 @@ final class Blocks {
      * pull that the active-set method tolerates, as a pile pushes harder than its balls fall.
      */
     private static final double STILL = 1e-7;
-    /** Where masses differ by more than this factor, the round-off of forces would move the lightest particles. */
-    private static final double UNEVEN = 1000;
-    /** Where they differ by more than this, it hides which rows are dependent. */
-    private static final double TOO_UNEVEN = 1e12;
 
     private final ParticleSystem system;
     private final Particles particles;
@@ -159,9 +154,7 @@ final class Blocks {
             }
             solve(block, state, time, force);
             block.addForces(force);
-            if (block.massRatio > UNEVEN) {
-                addRest(block, force);
-            }
+            ConstraintCorrection.addRest(this, block, force);
             for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
                 Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
             }
@@ -235,34 +228,11 @@ final class Blocks {
         return block.isJoined() ? solveOnce(block, force) : Optional.empty();
     }
 
-    /**
-     * Adds what round-off has left of the forces: between heavy particles and the ground, the force on a light one is
-     * the small difference of large ones. Twice, since the matrix has that error too.
-     */
-    private void addRest(Block block, double[] force) {
-        Row[] all = block.rows;
-        double[] forces = Arrays.stream(all).mapToDouble(row -> row.force).toArray();
-        block.keep(Arrays.stream(all).filter(row -> row.force != 0));
-        for (int k = 0; k < 2; k++) {
-            putRight(block, force);
-            block.solve(row -> false, false);
-            block.addForces(force);
-        }
-        block.keep(Arrays.stream(all));
-        for (int r = 0; r < all.length; r++) {
-            all[r].force = forces[r];
-        }
-    }
-
     private Optional<String> solveOnce(Block block, double[] force) {
         putRight(block, force);
-        boolean solved = block.solve(row -> true, block.hasPairs() || !contacts.isHolding());
-        if (block.massRatio > TOO_UNEVEN && activeSet.metDependentRows()) {
-            return Optional.of("join masses that differ by a factor of " + Digits.few(block.massRatio)
-                    + ": what the lightest pass on is lost in round-off");
-        }
-        if (!solved) {
-            return Optional.of("let no contact forces keep all particles out: friction or a moving anchor jams them");
+        if (!block.solve(row -> true, block.hasPairs() || !contacts.isHolding())) {
+            return Optional.of(ConstraintCorrection.areUneven(block) ? ConstraintCorrection.LOST
+                    : "let no contact forces keep all particles out: friction or a moving anchor jams them");
         }
         left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
         return left > CONTRADICTION ? Optional.of("contradict each other: no forces can satisfy them all")

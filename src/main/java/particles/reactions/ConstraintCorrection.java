@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.List;
 import particles.SimulationException;
 import particles.law.Particles;
@@ -8,7 +9,9 @@ import particles.law.Vector3;
 
 /**
  * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule, and rods
- * between particles that friction holds once one of them moves again.
+ * between particles that friction holds once one of them moves again. Also adds what round-off has left of forces
+ * between very light and very heavy particles: where a light one carries a heavy one, the force on it is the small
+ * difference of large ones.
  * Positions are corrected by Newton's method with the smallest mass-weighted moves, W J<sup>T</sup> mu with J W
  * J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
@@ -17,6 +20,13 @@ final class ConstraintCorrection {
     private static final double FINE = 1e-15;
     /** Accepted error of nearly singular configurations, where round-off is larger. */
     private static final double ENOUGH = 1e-9;
+    /** Where masses differ by more than this factor, the round-off of forces would move the lightest particles. */
+    private static final double UNEVEN = 1000;
+    /** Where they differ by more than this, it hides which rows are dependent. */
+    static final double MOST_UNEVEN = 1e12;
+    /** Why there is no solution then. */
+    static final String LOST = "join masses that differ by a factor of more than 1e12: what the lightest pass on is"
+            + " lost in round-off";
     private static final int MOST_ITERATIONS = 30;
 
     private final Blocks blocks;
@@ -67,6 +77,29 @@ final class ConstraintCorrection {
     private void correct(double[] state, int place) {
         for (Block block : blocks.joined()) {
             blocks.correct(block, state, place, false, Block.NONE);
+        }
+    }
+
+    /** Whether the masses of a block differ too much. */
+    static boolean areUneven(Block block) {
+        return block.massRatio > MOST_UNEVEN;
+    }
+
+    /** Adds what round-off has left of the forces of a solved block; twice, since its matrix is rounded too. */
+    static void addRest(Blocks blocks, Block block, double[] force) {
+        if (block.massRatio > UNEVEN) {
+            Row[] all = block.rows;
+            double[] forces = Arrays.stream(all).mapToDouble(row -> row.force).toArray();
+            block.keep(Arrays.stream(all).filter(row -> row.force != 0));
+            for (int k = 0; k < 2; k++) {
+                blocks.putRight(block, force);
+                block.solve(row -> false, false);
+                block.addForces(force);
+            }
+            block.keep(Arrays.stream(all));
+            for (int r = 0; r < all.length; r++) {
+                all[r].force = forces[r];
+            }
         }
     }
 }

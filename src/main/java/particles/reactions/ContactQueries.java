@@ -78,7 +78,7 @@ public final class ContactQueries {
         if (!block.isJoined() || modes.isSticking(particle)) {
             block = push(particle, state, block.isJoined() ? forcesAtRest(block, state, force).getForces() : force);
         }
-        Optional<Row> row = block.find(Kind.SURFACE, surface, particle);
+        Optional<Row> row = Row.find(block.rows, Kind.SURFACE, surface, particle);
         double push = row.isEmpty() ? 0 : blocks.push(block, row.get(), force);
         return row.isEmpty() || push == row.get().force ? push : push / block.weight(particle);
     }

@@ -1,5 +1,7 @@
 package particles.reactions;
 
+import java.util.Arrays;
+import java.util.Optional;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.ContactSurface.Bounce;
@@ -68,6 +70,12 @@ final class Row {
         row.surface = surface;
         row.bounce = surface.bounce();
         return row;
+    }
+
+    /** The row of a kind with a number and a first particle. */
+    static Optional<Row> find(Row[] rows, Kind kind, int number, int particle) {
+        return Arrays.stream(rows).filter(row -> row.kind == kind && row.number == number && row.first == particle)
+                .findFirst();
     }
 
     /** A copy without values, with its index in the list of rods, balls and wires. */

@@ -82,7 +82,7 @@ public final class Emitter implements Rule {
         aim();
     }
 
-    /** @return the number of births that wait for room */
+    @Override
     public long getWaiting() {
         return due - born;
     }

@@ -53,7 +53,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         }
         scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
                 problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
-        rules.stream().filter(rule -> RuleKind.merges(rule)).forEach(rule -> problems.add(rule.place(), rule.kind().getLabel()
+        rules.stream().filter(RuleKind::merges).forEach(rule -> problems.add(rule.place(), rule.kind().getLabel()
                 + " and 'collisions' cannot be combined: hard balls neither merge nor split"));
     }
 

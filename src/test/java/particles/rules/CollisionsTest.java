@@ -504,7 +504,7 @@ class CollisionsTest {
     @CsvSource(delimiter = '|', value = {
         "effects: []; rules: [collisions: {radius: 0.6}] | 'a' and 'b' overlap by 0.2 m at the start",
         "effects: [repulsion: {radius: 1, stiffness: 1}]; rules: [collisions: {radius: 0.1}] | cannot be combined",
-        "effects: []; rules: [collisions: {radius: 0.1}, samples: {farthest: 1, lightest: 1}] | neither merge nor split",
+        "effects: []; rules: [collisions: {radius: 0.1}, samples: {farthest: 1, lightest: 1}] | merge",
         "effects: []; rules: [collisions: {radius: 0.1}, collisions: {radius: 0.1}] | is already named",
         "effects: []; rules: [collisions: {radius: 0.5}, ground: {height: -0.25}] | 'a', a ball of radius 0.5 m,"
                 + " begins 0.25 m inside the 'ground'"})

@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import particles.Rule;
 import particles.Simulation;
 import particles.app.cli.Program;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
 import particles.law.Violation;
-import particles.rules.Emitter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.scene.Scene;
@@ -143,8 +143,7 @@ record Summary(String name, String hash, String set, Scene scene, EnergyRecorder
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; try a smaller deltaT or another solver.");
         }
-        long waiting = simulation().getRules().stream().filter(Emitter.class::isInstance)
-                .mapToLong(rule -> ((Emitter) rule).getWaiting()).sum();
+        long waiting = simulation().getRules().stream().mapToLong(Rule::getWaiting).sum();
         if (waiting > 0) {
             lines.add(counted(waiting, "birth") + " of 'emitter' waited for room until the end");
         }
