@@ -134,7 +134,8 @@ public class RuleKind extends Kind {
             super(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name, solid.apply(values),
                     new Bounce(values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::ofImpacts).orElse(0.0),
                             values.get(REST_SPEED)),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), assembly.particles()::radius)), keys);
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE),
+                    assembly.particles()::radius)), keys);
             this.solid = solid;
         }
 
