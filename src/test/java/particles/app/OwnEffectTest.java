@@ -176,8 +176,9 @@ class OwnEffectTest {
 
     @Test
     void anUnusableClassIsOneLine() throws IOException {
-        assertRefused("5: there is no class exercises.Missing with a 'public static final class Keys extends EffectKind'"
-                + " in src/main/java/exercises; gradle newEffect writes one", "exercises.Missing: {strength: 2}");
+        assertRefused("5: there is no class exercises.Missing with a 'public static final class Keys extends"
+                + " EffectKind' in src/main/java/exercises; gradle newEffect writes one",
+                "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");
         assertRefused("""
                 5: there is no class exercises.Bare with a 'public static final class Keys extends EffectKind' in \
