@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.Motion;
@@ -50,6 +51,7 @@ public class EnergyLedger extends StridedRecorder {
 
     /** One kind of work: its power and the sum so far. */
     private static final class Account {
+        private final String force;                     // what does it
         private final String name;
         private final Power power;
         private final Power stored;                     // in the system's energy, though its change is this work (J)
@@ -57,7 +59,8 @@ public class EnergyLedger extends StridedRecorder {
         private double powerBefore;
         private double work;
 
-        Account(String name, boolean changesBetweenSteps, Power power, Power stored) {
+        Account(String force, String name, boolean changesBetweenSteps, Power power, Power stored) {
+            this.force = force;
             this.name = name;
             this.changesBetweenSteps = changesBetweenSteps;
             this.power = power;
@@ -93,22 +96,23 @@ public class EnergyLedger extends StridedRecorder {
     public void started(ParticleSystem system) {
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.DISSIPATIVE)) {
-                open(effect.getName() + " (dissipated)", false,
+                open(effect.getName(), effect.getName() + " (dissipated)", false,
                         (state, time) -> -effect.getDissipatedPower(state, time));
             }
             if (effect.getTraits().contains(Trait.DRIVING)) {
                 driving.add(effect.getName() + " (driven)");
-                open(effect.getName() + " (driven)", false, effect::getDrivenPower);
+                open(effect.getName(), effect.getName() + " (driven)", false, effect::getDrivenPower);
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
-                accounts.add(new Account(effect.getName(), false,
+                accounts.add(new Account(effect.getName(), effect.getName(), false,
                         (state, time) -> power(Stream.of(effect), system.getParticles().free(), state, time),
                         effect::getPotentialEnergy));
             }
         }
         for (Reaction reaction : system.getReactions()) {
             boolean isOfAnchors = reaction.transmitsWork() && system.getMovingAnchors().length > 0;
-            open(isOfAnchors ? ANCHORS : reaction.getName(), true, (state, time) -> {
+            String name = isOfAnchors ? ANCHORS : reaction.getName();
+            open(name, name, true, (state, time) -> {
                 if (!reaction.isActive()) {
                     return 0;
                 }
@@ -120,7 +124,7 @@ public class EnergyLedger extends StridedRecorder {
         if (system.getMovingAnchors().length > 0) {
             driving.add(ANCHORS);
             // minus the internal forces on each anchor, times its velocity
-            open(ANCHORS, false, (state, time) -> -power(system.getEffects().stream()
+            open(ANCHORS, ANCHORS, false, (state, time) -> -power(system.getEffects().stream()
                     .filter(effect -> effect.getTraits().contains(Trait.INTERNAL)),
                     Arrays.stream(system.getMovingAnchors()), state, time));
         }
@@ -129,8 +133,8 @@ public class EnergyLedger extends StridedRecorder {
         super.started(system);
     }
 
-    private void open(String name, boolean changesBetweenSteps, Power power) {
-        accounts.add(new Account(name, changesBetweenSteps, power, (state, time) -> 0));
+    private void open(String force, String name, boolean changesBetweenSteps, Power power) {
+        accounts.add(new Account(force, name, changesBetweenSteps, power, (state, time) -> 0));
     }
 
     @Override
@@ -223,11 +227,25 @@ public class EnergyLedger extends StridedRecorder {
      * @return the work (J) by name; negative if energy was taken out
      */
     public Map<String, Double> getWork() {
+        return sums(account -> account.name);
+    }
+
+    /**
+     * The work done on the system so far by each effect, reaction and rule, and by moving anchors: what it dissipated
+     * and what it drove together. What an effect took from its potential energy is not work on the system.
+     *
+     * @return the work (J) by the name of what did it; negative if energy was taken out
+     */
+    public Map<String, Double> getWorkByForce() {
+        return sums(account -> account.force);
+    }
+
+    private Map<String, Double> sums(Function<Account, String> name) {
         Map<String, Double> work = new LinkedHashMap<>();
         for (Account account : accounts) {
-            work.merge(account.name, account.work, (before, more) -> before + more);
+            work.merge(name.apply(account), account.work, (before, more) -> before + more);
         }
-        jumps.forEach((name, joules) -> work.merge(name, joules, (before, more) -> before + more));
+        jumps.forEach((rule, joules) -> work.merge(rule, joules, (before, more) -> before + more));
         return work;
     }
 

@@ -74,9 +74,8 @@ public final class SceneGrid {
 
         /** The work of a force: what it took from its potential energy, and what the ledger booked. */
         double work(String name) {
-            return stored.get(name) - SceneGrid.stored(name, scene.system()) + energy.getLedger().getWork().entrySet()
-                    .stream().filter(account -> bare(account.getKey()).equals(name)).mapToDouble(Map.Entry::getValue)
-                    .sum();
+            return stored.get(name) - SceneGrid.stored(name, scene.system())
+                    + energy.getLedger().getWorkByForce().getOrDefault(name, 0.0);
         }
 
         Outcome run() {
@@ -133,16 +132,10 @@ public final class SceneGrid {
         EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
         energy.getLedger().started(scene.system());
         return Stream.of(scene.system().getEffects().stream().map(Effect::getName),
-                energy.getLedger().getWork().keySet().stream().map(SceneGrid::bare),
+                energy.getLedger().getWorkByForce().keySet().stream(),
                 scene.simulation().getRules().stream().filter(rule -> !rule.isCorrection()
                         && !(rule instanceof EnergyLimit)).map(Rule::getName)).flatMap(names -> names).distinct()
                 .toList();
-    }
-
-    /** The name of a force without the account in which its work is booked. */
-    private static String bare(String account) {
-        int end = account.indexOf(" (");
-        return end < 0 ? account : account.substring(0, end);
     }
 
     /** The potential energy of all effects of a name (J). */
