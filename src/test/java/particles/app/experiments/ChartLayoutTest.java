@@ -18,6 +18,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.app.Main;
 import particles.app.cli.OptionStyle;
 import particles.app.run.StopRequest;
+import particles.experiments.work.EffectCost;
+import particles.experiments.work.EffectCost.Cost;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.Layout;
@@ -108,5 +110,16 @@ class ChartLayoutTest {
                 List.of(new Series(RK4, solver, Mark.LINE, new double[] {low, high}, new double[] {low, high},
                         "1.02 (1)")))));
         assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
+    }
+
+    /** From 0.95 to 2.6 there were labels at 0.95, 0.96 ... 1, one over the other. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 1", "0.95, 1", "0.955, 2.6", "0.97, 1.3", "0.9925, 1.002", "0.999, 40", "1.001, 1.003"})
+    void costsNearOneHaveLabelsApart(double cheap, double dear) {
+        Panel panel = EffectCost.panel(List.of(new Cost("springs", 1, 1), new Cost("gravity", cheap, cheap),
+                new Cost("drag in turbulence", dear, dear)));
+        for (ChartFormat format : List.of(ChartFormat.PAGE, SLIDE)) {
+            assertEquals(List.of(), Layout.faults(ChartPage.of(panel, format), List.of(panel), format));
+        }
     }
 }
