@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -117,7 +117,11 @@ public final class Setting {
     /** @return the tree of a file of this type with this value in it; unchanged if a problem was reported */
     Node applyTo(MappingType type, Node root, Reading in) {
         int before = in.problems().count();
-        Node changed = put(type, Optional.of(root), STEP.matcher(key).results().map(MatchResult::group).toList(), in);
+        List<String> path = new ArrayList<>();
+        for (Matcher step = STEP.matcher(key); step.find();) {
+            path.add(step.group());
+        }
+        Node changed = put(type, Optional.of(root), path, in);
         return in.problems().count() > before ? root : changed;
     }
 

@@ -40,7 +40,11 @@ public final class StopRequest implements Observer {
      */
     public void listen(OutputStream err) {
         PrintWriter lines = new PrintWriter(err, true, Charset.defaultCharset());
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(lines), "stop"));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+            if (stop(lines)) {
+                endChildren();
+            }
+        }, "stop"));
     }
 
     /** @param line says what was stopped */
@@ -48,20 +52,30 @@ public final class StopRequest implements Observer {
         this.line = line;
     }
 
-    /** What happens when the process ends, by a signal or by itself. */
-    void stop(PrintWriter err) {
-        if (ended.getCount() == 0) {        // no signal: the process ends since its command has
-            return;
+    /**
+     * What happens when the process ends, by a signal or by itself.
+     *
+     * @param err receives the line that says that the command was stopped
+     * @return whether it was cut off
+     */
+    boolean stop(PrintWriter err) {
+        if (ended.getCount() == 0) {        // the command has ended by itself; there was no signal
+            return false;
         }
         request();
-        if (!awaitEnd()) {                  // not asked again: what falls apart may come to its end just now
-            err.println(line.get());
-            List<ProcessHandle> children = ProcessHandle.current().descendants().toList();
-            children.forEach(ProcessHandle::destroy);
-            CompletableFuture.allOf(children.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
-                    .completeOnTimeout(null, CHILDREN_MILLIS, TimeUnit.MILLISECONDS).join();
-            children.forEach(ProcessHandle::destroyForcibly);
+        if (awaitEnd()) {
+            return false;
         }
+        err.println(line.get());            // even if it ends just now, because its files are taken from it
+        return true;
+    }
+
+    private static void endChildren() {
+        List<ProcessHandle> children = ProcessHandle.current().descendants().toList();
+        children.forEach(ProcessHandle::destroy);
+        CompletableFuture.allOf(children.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
+                .completeOnTimeout(null, CHILDREN_MILLIS, TimeUnit.MILLISECONDS).join();
+        children.forEach(ProcessHandle::destroyForcibly);
     }
 
     /** @return whether the stop was requested */
@@ -92,7 +106,7 @@ public final class StopRequest implements Observer {
         folder.setWhenStopped(this::awaitEnd);
     }
 
-    /** Waits for a command that ends by itself, and tells whether it is one and came to its end. */
+    /** Waits for a command that ends by itself, and tells whether it did in time. */
     private boolean awaitEnd() {
         try {
             if (endsByItself && !ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {

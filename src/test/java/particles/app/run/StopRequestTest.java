@@ -1,6 +1,8 @@
 package particles.app.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -40,7 +42,7 @@ class StopRequestTest {
             });
             command.start();
             StringWriter lines = new StringWriter();
-            stop.stop(new PrintWriter(lines));
+            assertTrue(stop.stop(new PrintWriter(lines)));
             command.join();
             assertEquals("stopped", lines.toString().strip());
         }
@@ -50,7 +52,7 @@ class StopRequestTest {
     void aCommandThatCameToItsEndIsNotToldAsStopped() {
         StringWriter lines = new StringWriter();
         stop.end(ExitCode.DONE, exits::add);
-        stop.stop(new PrintWriter(lines));
+        assertFalse(stop.stop(new PrintWriter(lines)));
         assertEquals("", lines.toString());
     }
 }
