@@ -53,6 +53,8 @@ class StoppedTasksTest {
         List<String> arguments = new ArrayList<>(List.of(task, "--out=" + top.resolve("out")));
         switch (task) {
             case "run" -> arguments.add("--scene=" + FaultScene.write(top.resolve("scene.yaml"), 1000));
+            case "sweep" -> arguments.addAll(List.of("--scene=" + FaultScene.write(top.resolve("scene.yaml"), 1000),
+                    "--vary=deltaT=0.0005,0.00025", "--measure=steps"));
             case "checkSolver" -> arguments.add("--solver=exercises.EndlessSolver");
             case "grade" -> arguments.add("--student=ann");
             case "gradeClass" -> arguments.add("--folder=" + handIn("ann").getParent());

@@ -1,7 +1,6 @@
 package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
@@ -17,7 +16,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.Rule;
-import particles.SimulationException;
 import particles.energy.EnergyLedger;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -43,20 +41,20 @@ class EverySolverOnCollidingBallsTest {
     /** The errors measured on the five scenes (J); 0 stands for round-off. */
     @ParameterizedTest
     @CsvSource(textBlock = """
-            euler,             9.6e-2,  7.95,   142,    1.29,   0.268
-            midpoint,          3.2e-5,  3.6e-2, 0.15,   3.3e-3, 0
-            rk4,               6.5e-9,  2.4e-3, 6.2e-3, 1.8e-4, 0
-            step-doubling,     3.7e-10, 9.5e-5, 1.6e-5, 2.0e-6, 0
-            dormand-prince,    4.2e-11, 1.2e-4, 4.5e-4, 2.0e-6, 0
-            bulirsch-stoer,    6.1e-10, 5.2e-5, 2.3e-4, 2.3e-6, 0
-            adams,             1.2e-7,  1.1e-2, 4.5e-2, 2.2e-3, 0
-            symplectic-euler,  1.1e-2,  8.1e-3, 0.18,   0.40,   0.268
-            verlet,            2.6e-4,  9.1e-3, 4.4e-2, 1.5e-3, 0
-            yoshida4,          5.9e-7,  1.2e-2, 3.4e-2, 3.9e-3, 0
-            backward-euler,    8.6e-2,  1.54,   49.3,   1.12,   0.268
-            linearised-euler,  8.6e-2,  1.51,   52.1,   1.11,   0.268
-            implicit-midpoint, 2.8e-5,  4.3e-3, 1.2e-2, 8.1e-3, 0
-            radau,             6.2e-11, 3.2e-5, 4.4e-5, 5.2e-8, 0
+            euler,             9.6e-2,  8.5,    142,    1.29,   0.268
+            midpoint,          3.2e-5,  4.2e-2, 0.15,   3.3e-3, 0
+            rk4,               6.5e-9,  3.6e-3, 6.2e-3, 1.8e-4, 0
+            step-doubling,     3.7e-10, 1.2e-6, 1.6e-5, 2.0e-6, 0
+            dormand-prince,    4.2e-11, 1.0e-5, 4.5e-4, 2.0e-6, 0
+            bulirsch-stoer,    6.1e-10, 1.5e-6, 2.3e-4, 2.3e-6, 0
+            adams,             1.2e-7,  2.2e-3, 4.5e-2, 2.2e-3, 0
+            symplectic-euler,  1.1e-2,  4.0e-3, 0.18,   0.40,   0.268
+            verlet,            2.6e-4,  1.3e-3, 4.4e-2, 1.5e-3, 0
+            yoshida4,          5.9e-7,  2.4e-3, 3.4e-2, 3.9e-3, 0
+            backward-euler,    8.6e-2,  1.6,    49.3,   1.12,   0.268
+            linearised-euler,  8.6e-2,  1.6,    52.1,   1.11,   0.268
+            implicit-midpoint, 2.8e-5,  1.5e-3, 1.2e-2, 8.1e-3, 0
+            radau,             6.2e-11, 4.1e-7, 4.4e-5, 5.2e-8, 0
             """)
     void theErrorIsThatOfItsOrder(String solver, double cradle, double billiards, double gas, double pile, double two) {
         double[] measured = {cradle, billiards, gas, pile, two};
@@ -122,13 +120,17 @@ class EverySolverOnCollidingBallsTest {
         assertTrue(error > measured / 3 || measured < 1e-12, "the measured error is no longer true: " + error);
     }
 
-    /** Balls that fall on others in one long step: Newton's iteration does not converge, and says so. */
+    /**
+     * A push that begins at zero has a solution in each step, also where balls fall on others in a long one. Measured:
+     * an error of -50.26 J at the start energy of 375 J; a law that jumps at first touch ended the run at 0.39 s.
+     */
     @Test
-    void backwardEulerEndsWithTheReason() {
-        SimulationException e = assertThrows(SimulationException.class, () -> scene(SCENES.get(3), "backward-euler", 1)
-                .simulation().run());
-        assertTrue(e.getMessage().contains("Newton's iteration did not converge"), e.getMessage());
-        assertEquals(0.39, e.getTime(), 0.05);
+    void backwardEulerLetsThePileFall() {
+        Scene scene = scene(SCENES.get(3), "backward-euler", 1);
+        EnergyLedger ledger = new EnergyLedger();
+        scene.simulation().addObserver(ledger);
+        scene.simulation().run();
+        assertEquals(-50.26, ledger.getNumericalError(), 0.01);
     }
 
     /** No solver is missing in the table. */
