@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 
 /**
@@ -46,13 +48,32 @@ public final class OutputFile extends OutputStream {
     }
 
     static void write(Path file, Disk disk, byte[] bytes) {
-        try (OutputFile whole = new OutputFile(file, disk, done -> { })) {
-            StopHook hook = new StopHook(whole::close);
-            try {
-                whole.writeWhole(bytes);
-            } finally {
-                hook.close();
+        Whole whole = new Whole();
+        StopHook hook = new StopHook(whole::stop);
+        try {
+            whole.begin(file, disk).writeWhole(bytes);
+        } finally {
+            hook.close();
+        }
+    }
+
+    /** A file that a stop removes, whenever it comes: from then on, none is begun. */
+    private static final class Whole {
+        private Optional<OutputFile> begun = Optional.empty();
+        private boolean stopped;
+
+        synchronized OutputFile begin(Path file, Disk disk) {
+            if (stopped) {
+                throw new CancellationException("the program is being stopped");
             }
+            OutputFile one = new OutputFile(file, disk, done -> { });
+            begun = Optional.of(one);
+            return one;
+        }
+
+        synchronized void stop() {
+            stopped = true;
+            begun.ifPresent(OutputFile::close);
         }
     }
 
