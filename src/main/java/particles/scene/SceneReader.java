@@ -67,13 +67,18 @@ public final class SceneReader {
      * @throws InvalidInputException with everything that is wrong with it
      */
     public static String withFiles(Path file, ClassNames classes) {
+        return withFiles(file, classes, List.of());
+    }
+
+    /** The same, followed by the files that it names with these values in place of its own. */
+    public static String withFiles(Path file, ClassNames classes, List<Setting> settings) {
         StringBuilder text = new StringBuilder(new String(bytes(file), StandardCharsets.UTF_8));
         List<String> added = new ArrayList<>(List.of("\nfiles:\n"));
         read(nameOf(file), bytes(file), classes, (name, place, problems) -> {
             Optional<NamedFile> found = beside(file).read(name, place, problems);
             found.ifPresent(one -> added.add("  '" + name + "': |2\n" + one.text().indent(4)));
             return found;
-        });
+        }, settings);
         added.stream().limit(added.size() > 1 ? added.size() : 0).forEach(text::append);
         return text.toString();
     }

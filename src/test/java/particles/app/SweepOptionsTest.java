@@ -64,6 +64,8 @@ class SweepOptionsTest {
             springs[0].damping = 0 .. 5 log 3 | option -Pvary: a logarithmic range such as '0 .. 5 log 3' has two
             springs[0].damping = 1 .. 5 log 1 | option -Pvary: in '1 .. 5 log 1', log has to be followed by the number
             springs[0].damping = 1 .. 5 log 2.5 | option -Pvary: in '1 .. 5 log 2.5', log has to be followed by the
+            springs[0].damping = 0.001 .. 0.0010001 log 100 | option -Pvary: '0.001 .. 0.0010001 log 100' has too \
+            many values: with 6 digits, some are equal
             springs[0].damping = 0 .. 1 by 1e-9 | option -Pvary: '0 .. 1 by 1e-9' has too many values
             springs[0].damping = 0 .. 1e999999999 by 1 | option -Pvary: '1e999999999' has too many digits
             springs[0].damping = 1, 1        | option -Pvary: a value of 'springs[0].damping' appears twice
@@ -86,6 +88,8 @@ class SweepOptionsTest {
             most x of block     | option -Pmeasure: unknown measure 'most x of block'
             amplitude vx of block | option -Pmeasure: amplitude is that of x, y or z
             work of spring      | option -Pmeasure: unknown force 'spring'; did you mean 'springs'?
+            ,                   | option -Pmeasure: a measure is empty
+            steps,, drift       | option -Pmeasure: a measure is empty
             steps, steps        | option -Pmeasure: 'steps' appears twice
             """)
     void wrongMeasuresAreRefused(String measure, String line) {

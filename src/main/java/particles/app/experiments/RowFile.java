@@ -7,6 +7,7 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,12 +20,14 @@ import particles.experiments.grid.Grid;
 import particles.experiments.grid.Grid.Row;
 import particles.experiments.grid.GridCharts;
 import particles.experiments.grid.Measure;
+import particles.output.files.Disk;
 import particles.output.files.OutputException;
 import particles.output.report.TableText;
 
 /**
- * A CSV file to which each row is added as soon as it is there, so that a sweep that was stopped goes on. Its name has
- * a digest of the scene and the measures; each part of a sweep has a file of its own.
+ * A CSV file to which each row is added as soon as it is there, so that a sweep that was stopped goes on. Its name
+ * contains a digest of all that decides the rows but the values of the axes, so that a longer list of values can go on
+ * with it; each part of a sweep has a file of its own.
  */
 final class RowFile implements AutoCloseable {
     private final Grid grid;
@@ -40,17 +43,19 @@ final class RowFile implements AutoCloseable {
     }
 
     /**
-     * Opens a file to add rows.
+     * Opens a file to add rows. Its own rows stay, except the last one if it was cut off.
      *
-     * @param known the rows that it has already, which are written anew: the last one may have been cut off
+     * @param known rows of other files that it gets too
      */
-    static RowFile open(Path file, Grid grid, List<Measure> measures, Iterable<Row> known) {
+    static RowFile open(Path file, Grid grid, List<Measure> measures, List<Row> known) {
         try {
             Files.createDirectories(file.getParent());
-            RowFile opened = new RowFile(grid, measures, file, Files.newBufferedWriter(file));
-            opened.write(opened.lines(List.of()).get(0));
-            known.forEach(opened::add);
-            return opened;
+            Map<List<String>, Row> rows = Files.exists(file) ? read(file, grid, measures) : new LinkedHashMap<>();
+            known.forEach(row -> rows.putIfAbsent(row.at(), row));
+            Path part = file.resolveSibling("." + file.getFileName() + ".part");    // a stop leaves the old file
+            Files.write(part, TableText.csv(new GridCharts(grid, measures, List.copyOf(rows.values())).table()));
+            Disk.REAL.rename(part, file);
+            return new RowFile(grid, measures, file, Files.newBufferedWriter(file, StandardOpenOption.APPEND));
         } catch (IOException e) {
             throw new OutputException(file, "write", e);
         }
@@ -59,19 +64,11 @@ final class RowFile implements AutoCloseable {
     /** Adds a row, which is in the file when this returns. */
     synchronized void add(Row row) {
         try {
-            write(lines(List.of(row)).get(1));
+            writer.write(TableText.csv(new GridCharts(grid, measures, List.of(row)).table()).get(1) + "\n");
+            writer.flush();
         } catch (IOException e) {
             throw new OutputException(file, "write", e);
         }
-    }
-
-    private void write(String line) throws IOException {
-        writer.write(line + "\n");
-        writer.flush();
-    }
-
-    private List<String> lines(List<Row> rows) {
-        return TableText.csv(new GridCharts(grid, measures, rows).table());
     }
 
     /**
@@ -86,17 +83,22 @@ final class RowFile implements AutoCloseable {
         }
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(one -> one.getFileName().toString().startsWith(name)).sorted().toList()) {
-                String text = Files.readString(file, StandardCharsets.UTF_8);
-                String whole = text.substring(0, text.lastIndexOf('\n') + 1);
-                for (CSVRecord line : CSVFormat.RFC4180.parse(new StringReader(whole)).getRecords().stream().skip(1)
-                        .toList()) {
-                    Row row = row(line, grid.axes().size(), measures.size());
-                    rows.put(row.at(), row);
-                }
+                rows.putAll(read(file, grid, measures));
             }
         } catch (IOException | UncheckedIOException e) {
             throw new OutputException(folder, "read the rows in", e instanceof IOException io ? io
                     : ((UncheckedIOException) e).getCause());
+        }
+        return rows;
+    }
+
+    private static Map<List<String>, Row> read(Path file, Grid grid, List<Measure> measures) throws IOException {
+        Map<List<String>, Row> rows = new LinkedHashMap<>();
+        String text = Files.readString(file, StandardCharsets.UTF_8);
+        String whole = text.substring(0, text.lastIndexOf('\n') + 1);
+        for (CSVRecord line : CSVFormat.RFC4180.parse(new StringReader(whole)).getRecords().stream().skip(1).toList()) {
+            Row row = row(line, grid.axes().size(), measures.size());
+            rows.put(row.at(), row);
         }
         return rows;
     }

@@ -3,14 +3,19 @@ package particles.app.experiments;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.app.cli.PrintedProgress;
+import particles.app.cli.Program;
 import particles.app.student.StudentClasses;
+import particles.app.student.StudentLoader;
 import particles.experiments.grid.Grid;
 import particles.experiments.grid.Grid.Row;
 import particles.experiments.grid.GridAxis;
@@ -44,7 +49,7 @@ import picocli.CommandLine.Option;
           S="build/install/desolver/bin/desolver sweep --scene=3"          # after: gradle installDist
           export JAVA_OPTS=-XX:ActiveProcessorCount=1
           seq 16 | parallel $S "'--vary=...'" "'--measure=...'" --part={}/16 --out=parts
-          sbatch --wait --array=1-16 --wrap "$S '--vary=...' '--measure=...'
+          sbatch --wait --array=1-16 --wrap "$S '--vary=...' '--measure=...' \\
               --part=\\$SLURM_ARRAY_TASK_ID/16 --out=parts"                # Slurm
           strategy: {matrix: {part: [1, 2, 3, 4]}}                         # GitHub: --part=${{matrix.part}}/4,
               # then actions/upload-artifact of the folder 'parts' in each job, and download-artifact in the last
@@ -127,9 +132,11 @@ public final class SweepCommand extends ExperimentCommand {
                 SceneReader.unit(file.get(), new StudentClasses(), setting)).orElse("");
     }
 
-    /** The beginning of the names of the files with rows of this scene, these axes and these measures. */
+    /** The beginning of the names of the files with rows of this version, scene, axes and measures. */
     private String rowsName() {
-        String all = String.join("\n", SceneReader.withFiles(file.get(), new StudentClasses()), set,
+        String text = SceneReader.withFiles(file.get(), new StudentClasses(), settings.get());
+        String all = String.join("\n", Program.VERSION, text, set,
+                StudentLoader.namedIn(String.join("\n", text, set, vary)).toString(),
                 grid.get().axes().stream().map(GridAxis::key).collect(Collectors.joining("\n")),
                 measures.get().stream().map(Measure::name).collect(Collectors.joining("\n")));
         return "rows-" + Digest.of(all).substring(0, DIGITS);
@@ -157,13 +164,24 @@ public final class SweepCommand extends ExperimentCommand {
         GridCharts charts = new GridCharts(grid.get(), measures.get(), rows);
         String title = scene.get().title();
         long failed = rows.stream().filter(row -> !row.end().equals(SceneGrid.WHOLE)).count();
-        String text = rows.size() + " runs, " + failed + " of them failed; the last column has the reasons."
+        String text = rows.size() + " runs" + (failed == 0 ? "." : ", " + failed
+                + " of them failed; the last column has the reasons.")
                 + (measures.get().size() > charts.drawn().size() ? " Errors are largest distances of a particle at the"
                 + " end from " + SceneGrid.REFERENCE + "." : "");
+        Set<String> names = new HashSet<>();
         return new ResultPage(name(), title + ", over " + charts.axes(), List.of(text), charts.drawn().stream()
-                .map(one -> Picture.panels(one.name().replaceAll("[^\\w-]+", "-"), one.name() + " over "
-                + charts.axes() + ".", title + ": " + one.name(), charts.panels(one, title))).toList(),
-                List.of(charts.table()));
+                .map(one -> Picture.panels(pictureName(one.name(), names), one.name() + " over " + charts.axes() + ".",
+                title + ": " + one.name(), charts.panels(one, title))).toList(), List.of(charts.table()));
+    }
+
+    /** A name that any system allows for a file; numbered if another picture has it, in whatever case. */
+    private static String pictureName(String measure, Set<String> taken) {
+        String name = measure.replaceAll("[^\\w-]+", "-").replaceFirst("-$", "");
+        String free = name;
+        for (int k = 2; !taken.add(free.toLowerCase(Locale.ROOT)); k++) {
+            free = name + "-" + k;
+        }
+        return free;
     }
 
     /** The rows of this part, in the order of the points; those that are there are not computed again. */

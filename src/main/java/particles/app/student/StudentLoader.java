@@ -9,7 +9,11 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -55,6 +59,22 @@ public final class StudentLoader extends ClassLoader {
     static Map<String, String> installed() {
         return Thread.currentThread().getContextClassLoader() instanceof StudentLoader loader ? loader.sources.get()
                 : Map.of();
+    }
+
+    /** @return the text of each class of this thread's loader that a text names, and of each that such a class names */
+    public static Map<String, String> namedIn(String text) {
+        Map<String, String> all = installed();
+        Map<String, String> named = new TreeMap<>();
+        Deque<String> texts = new ArrayDeque<>(List.of(text));
+        while (!texts.isEmpty()) {
+            Set<String> used = new HashSet<>(Arrays.asList(texts.remove().split("\\P{javaJavaIdentifierPart}+")));
+            all.forEach((name, source) -> {
+                if (used.contains(name) && named.putIfAbsent(name, source) == null) {
+                    texts.add(source);
+                }
+            });
+        }
+        return named;
     }
 
     /**

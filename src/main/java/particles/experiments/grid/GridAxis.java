@@ -113,8 +113,14 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
         }
         int n = count.intValueExact() - 1;
         double ratio = StrictMath.log(last.doubleValue() / first.doubleValue());
-        return IntStream.rangeClosed(0, n).mapToObj(k -> k == 0 ? first : k == n ? last : BigDecimal.valueOf(
-                first.doubleValue() * StrictMath.exp(ratio * k / n)).round(DIGITS));
+        List<BigDecimal> values = IntStream.rangeClosed(0, n).mapToObj(k -> k == 0 ? first : k == n ? last
+                : BigDecimal.valueOf(first.doubleValue() * StrictMath.exp(ratio * k / n)).round(DIGITS)).toList();
+        if (IntStream.range(0, n).anyMatch(k -> values.get(k + 1).compareTo(values.get(k))
+                != last.compareTo(first))) {
+            throw new IllegalArgumentException("'" + range + "' has too many values: with " + DIGITS.getPrecision()
+                    + " digits, some are equal");
+        }
+        return values.stream();
     }
 
     private static BigDecimal number(String text) {

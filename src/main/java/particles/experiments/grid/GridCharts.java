@@ -4,9 +4,12 @@ import static particles.view.DataTable.column;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.experiments.grid.Grid.Row;
 import particles.experiments.grid.Measure.Kind;
 import particles.view.Axis;
@@ -54,6 +57,8 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
     /** The chart, and below it the runs that failed, in a row for each curve. */
     private List<Chart> charts(Measure measure, List<Row> some) {
         GridAxis first = grid.axes().get(0);
+        Map<String, Double> places = places(first);
+        ToDoubleFunction<Row> x = row -> places.get(row.at().get(0));
         int m = measures.indexOf(measure);
         List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : some(grid.axes().get(1));
         Axis y = measure.axis(first.log());
@@ -65,10 +70,10 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
             Look look = SolverCatalog.find(curve).map(Look::of).orElseGet(() -> Look.number(number));
             List<Row> own = some.stream().filter(row -> grid.axes().size() < 2 || row.at().get(1).equals(curve))
                     .toList();
-            series.add(Series.of(look, named(curve), Mark.LINE_AND_POINTS, own, this::x, row -> row.measured().get(m))
+            series.add(Series.of(look, named(curve), Mark.LINE_AND_POINTS, own, x, row -> row.measured().get(m))
                     .ending(y));
             failed.add(Series.of(look, "failed", Mark.FAILURES, own.stream().filter(row ->
-                    !row.end().equals(SceneGrid.WHOLE)).toList(), this::x, row -> number));
+                    !row.end().equals(SceneGrid.WHOLE)).toList(), x, row -> number));
         }
         if (first.numbers().isEmpty()) {                // its values are rows, and the measure is along x
             return List.of(new Chart(y, Axis.linear(first.key(), ""), series.stream().map(one -> new Series(one.look(),
@@ -90,9 +95,14 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
         return key.equals("solver") ? curve : key.substring(key.lastIndexOf('.') + 1) + " = " + curve;
     }
 
-    private double x(Row row) {
-        int k = grid.axes().get(0).values().indexOf(row.at().get(0));
-        return grid.axes().get(0).numbers().map(numbers -> numbers[k]).orElse((double) k);
+    /** The place of each value on the axis of a chart. */
+    private static Map<String, Double> places(GridAxis axis) {
+        Optional<double[]> numbers = axis.numbers();
+        Map<String, Double> places = new HashMap<>();
+        for (int k = 0; k < axis.values().size(); k++) {
+            places.put(axis.values().get(k), numbers.isPresent() ? numbers.get()[k] : k);
+        }
+        return places;
     }
 
     /** @return a row for each result that is there, in the order of the points */
@@ -110,8 +120,8 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
         return measure.kind().isCount() && !Double.isNaN(value) ? (Object) (long) value : (Object) value;
     }
 
-    /** @return the axes in words, such as "springs[0].damping and solver" */
+    /** @return the axes in words, such as "springs[0].damping, solver" */
     public String axes() {
-        return String.join(", ", Stream.of(grid.axes()).flatMap(List::stream).map(GridAxis::key).toList());
+        return String.join(", ", grid.axes().stream().map(GridAxis::key).toList());
     }
 }

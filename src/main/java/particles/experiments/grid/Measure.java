@@ -9,6 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import particles.experiments.grid.ParticlePath.Coordinate;
+import particles.spec.Setting;
 import particles.view.Axis;
 
 /**
@@ -89,11 +90,14 @@ public record Measure(Kind kind, Coordinate coordinate, String subject) {
     /**
      * @param text measures as they were typed, separated by commas; {@code error} is followed by that of its reference
      * @return one or more measures
-     * @throws IllegalArgumentException if one is unknown or there twice
+     * @throws IllegalArgumentException if one is empty, unknown or there twice
      */
     public static List<Measure> list(String text) {
         List<Measure> all = new ArrayList<>();
-        for (String one : text.split(",")) {
+        for (String one : Setting.split(text, ',')) {
+            if (one.isBlank()) {
+                throw new IllegalArgumentException("a measure is empty");
+            }
             Measure measure = of(one.strip());
             if (all.contains(measure)) {
                 throw new IllegalArgumentException("'" + one.strip() + "' appears twice");

@@ -9,7 +9,7 @@ import particles.law.Particles;
 
 /**
  * Follows one coordinate of a particle: its range, and its turning points, which are found on the cubic between two
- * steps.
+ * steps. If a rule removes the particle, its last value is NaN; the rest is that of its life.
  */
 final class ParticlePath implements Observer {
     /** The coordinates of a particle in the order of the state; the speed is the length of the velocity. */
@@ -30,9 +30,11 @@ final class ParticlePath implements Observer {
         }
     }
 
+    private static final double MIDDLE = 0.5;
+
     private final Coordinate coordinate;
     private final String particle;
-    private int index;
+    private int index = -1;                             // -1 once the particle is gone
     private double last;
     private double least = Double.POSITIVE_INFINITY;
     private double most = Double.NEGATIVE_INFINITY;
@@ -49,14 +51,16 @@ final class ParticlePath implements Observer {
 
     @Override
     public void started(ParticleSystem system) {
-        index = IntStream.range(0, system.getParticles().count()).filter(i -> system.getParticles().id(i)
-                .equals(particle)).findFirst().orElseThrow();
+        find(system);
+        if (index < 0) {
+            throw new IllegalArgumentException("particle '" + particle + "' does not exist");
+        }
         add(coordinate.of(system.getOwnState(), Particles.STRIDE * index));
     }
 
     @Override
     public void moved(Motion motion) {
-        for (int k = 0; k < motion.getPieces(); k++) {
+        for (int k = 0; k < motion.getPieces() && index >= 0; k++) {
             Motion piece = motion.getPiece(k);
             if (coordinate.ordinal() < Coordinate.VX.ordinal()) {
                 turn(piece, Particles.STRIDE * index + coordinate.ordinal());
@@ -67,7 +71,23 @@ final class ParticlePath implements Observer {
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
-        add(coordinate.of(system.getOwnState(), Particles.STRIDE * index));
+        if (index < 0) {
+            return;
+        }
+        find(system);
+        if (index < 0) {
+            last = Double.NaN;
+        } else {
+            add(coordinate.of(system.getOwnState(), Particles.STRIDE * index));
+        }
+    }
+
+    /** Particles behind one that is removed move up. */
+    private void find(ParticleSystem system) {
+        Particles all = system.getParticles();
+        if (index < 0 || index >= all.count() || !all.id(index).equals(particle)) {
+            index = IntStream.range(0, all.count()).filter(i -> all.id(i).equals(particle)).findFirst().orElse(-1);
+        }
     }
 
     private void add(double value) {
@@ -86,12 +106,14 @@ final class ParticlePath implements Observer {
         double h = piece.getEndTime() - piece.getStartTime();
         double x0 = piece.getStartState()[c];
         double way = piece.getEndState()[c] - x0;
-        // the velocity on the cubic is v0 + b u + a u^2, with u from 0 to 1; it has one root there
+        // the velocity on the cubic is v0 + b u + a u^2; it has one root in [0, 1], but for round-off
         double b = 6 * way / h - 4 * v0 - 2 * v1;
         double a = 3 * (v0 + v1) - 6 * way / h;
         double q = -0.5 * (b + Math.copySign(Math.sqrt(Math.max(0, b * b - 4 * a * v0)), b));
         double one = v0 / q;
-        double u = one >= 0 && one <= 1 ? one : q / a;
+        double other = q / a;                           // not finite if a is 0
+        double root = Math.abs(other - MIDDLE) < Math.abs(one - MIDDLE) ? other : one;
+        double u = v1 == 0 ? 1 : Math.max(0, Math.min(1, root));
         double extreme = x0 + h * u * (v0 + u * (b / 2 + u * a / 3));
         add(extreme);
         if (v0 > 0) {

@@ -167,7 +167,7 @@ public final class SceneGrid {
             return new Row(point, measures.stream().map(measure -> measure.kind() == Kind.STABLE ? stable(scene)
                     : whole ? value(measure, point, gauges, outcome) : Double.NaN).toList(),
                     outcome.failure().map(SceneGrid::oneLine).orElse(WHOLE));
-        } catch (InvalidInputException e) {                // two values that do not go together
+        } catch (InvalidInputException | IllegalArgumentException e) {     // such as values that do not go together
             return new Row(point, measures.stream().map(measure -> Double.NaN).toList(), oneLine(e.getMessage()));
         }
     }

@@ -16,19 +16,60 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.app.student.StudentLoader;
 
 /** The rows of a sweep survive a stop, and are the same in one run and in parts. */
 class SweepCommandTest {
     private static final List<String> FILES = List.of("sweep.csv", "sweep.md", "max-x-of-block.csv",
             "max-x-of-block.png");
+    private static final String PUSHER = """
+            package exercises;
+
+            import particles.effects.EffectContext;
+            import particles.effects.EffectKind;
+            import particles.law.ParticleForce;
+            import particles.law.Particles;
+            import particles.law.Vector3;
+            import particles.spec.Values;
+
+            public final class Pusher extends ParticleForce {
+                public Pusher(Particles particles) {
+                    super(particles);
+                }
+
+                @Override
+                protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                    return new Vector3(Push.FORCE, 0, 0);
+                }
+
+                public static final class Keys extends EffectKind {
+                    public Keys() {
+                        super("exercises.Pusher", "A constant force.");
+                    }
+
+                    @Override
+                    public void build(Values values, EffectContext scene) {
+                        scene.add(new Pusher(scene.particles()));
+                    }
+                }
+            }
+            """;
 
     @TempDir
     Path top;
 
     private String sweep(ExitCode expected, String folder, String... more) {
-        String[] args = Stream.concat(Stream.of("sweep", "--scene=3", "--vary=springs[0].damping = 0 .. 4 by 1;"
-                + "deltaT = 0.01, 0.02", "--measure=max x of block, evaluations", "--out=" + top.resolve(folder)),
-                Stream.of(more)).toArray(String[]::new);
+        return sweepOver(4, expected, folder, Stream.concat(Stream.of("--scene=3"), Stream.of(more)));
+    }
+
+    private String sweepOver(int last, ExitCode expected, String folder, Stream<String> more) {
+        return sweepOf(expected, folder, Stream.concat(Stream.of("--vary=springs[0].damping = 0 .. " + last + " by 1;"
+                + "deltaT = 0.01, 0.02", "--measure=max x of block, evaluations"), more));
+    }
+
+    private String sweepOf(ExitCode expected, String folder, Stream<String> options) {
+        String[] args = Stream.concat(Stream.of("sweep", "--out=" + top.resolve(folder)), options)
+                .toArray(String[]::new);
         return Screen.of(expected, List.of(new SweepCommand()), OptionStyle.SHELL, args);
     }
 
@@ -75,6 +116,95 @@ class SweepCommandTest {
         assertTrue(again.contains(changed), again.toString());
         List<String> whole = Files.readAllLines(top.resolve("whole/sweep.csv"));
         assertEquals(whole, again.stream().map(line -> line.replace("not computed again", "done")).toList());
+    }
+
+    @Test
+    void rowsOfOtherValuesStayInTheFile() throws IOException {
+        sweep(ExitCode.DONE, "rows");
+        Path file = rows("rows");
+        List<String> before = Files.readAllLines(file);
+        sweepOver(2, ExitCode.DONE, "rows", Stream.of("--scene=3"));
+        assertEquals(before, Files.readAllLines(file));
+        sweepOver(5, ExitCode.DONE, "rows", Stream.of("--scene=3"));
+        assertEquals(before, Files.readAllLines(file).subList(0, before.size()));
+        assertEquals(before.size() + 2, Files.readAllLines(file).size());
+    }
+
+    /** The scene alone is wrong: a duration of 5 s is too many steps. */
+    @Test
+    void aSceneMayNeedItsSettings() throws IOException {
+        Path scene = Files.writeString(top.resolve("scene.yaml"), Files.readString(Path.of(
+                "scenes/03-damped-spring.yaml")).replaceFirst("(?m)^deltaT: \\S+", "deltaT: 1e-12"));
+        sweepOver(1, ExitCode.DONE, "set", Stream.of("--scene=" + scene, "--set=deltaT=0.01"));
+    }
+
+    /** A class that the effect names decides too. */
+    @Test
+    void rowsDependOnTheSourcesOfOwnClasses() throws IOException {
+        Path folder = Files.createDirectories(top.resolve("exercises"));
+        Files.writeString(folder.resolve("Push.java"), """
+                package exercises;
+
+                class Push {
+                    static final double FORCE = 1;
+                }
+                """);
+        Files.writeString(folder.resolve("Unused.java"), "package exercises; class Unused { }");
+        Files.writeString(folder.resolve("Pusher.java"), PUSHER);
+        Path scene = Files.writeString(top.resolve("scene.yaml"), """
+                title: A test
+                teaches: A test.
+                solver: rk4
+                deltaT: 0.01
+                duration: 1
+                particles:
+                  - {id: a, position: [0, 0, 0]}
+                effects:
+                  - exercises.Pusher
+                """);
+        assertEquals(0.5, pushed(folder, scene), 1e-12);
+        Files.writeString(folder.resolve("Unused.java"), "package exercises; final class Unused { }");
+        assertEquals(0.5, pushed(folder, scene), 1e-12);
+        try (Stream<Path> files = Files.list(top.resolve("pushed"))) {
+            assertEquals(1, files.filter(file -> file.getFileName().toString().startsWith("rows-")).count());
+        }
+        Files.writeString(folder.resolve("Push.java"), Files.readString(folder.resolve("Push.java"))
+                .replace("= 1", "= 3"));
+        assertEquals(1.5, pushed(folder, scene), 1e-12);
+    }
+
+    private double pushed(Path folder, Path scene) throws IOException {
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        new StudentLoader(folder).install();
+        try {
+            sweepOf(ExitCode.DONE, "pushed", Stream.of("--scene=" + scene, "--vary=duration = 1", "--measure=x of a"));
+        } finally {
+            Thread.currentThread().setContextClassLoader(before);
+        }
+        return Double.parseDouble(Files.readAllLines(top.resolve("pushed/sweep.csv")).get(1).split(",")[1]);
+    }
+
+    /** On some systems names that differ in case are one file, and letters may be missing in a locale. */
+    @Test
+    void eachMeasureHasAPictureOfItsOwn() throws IOException {
+        Path scene = Files.writeString(top.resolve("scene.yaml"), """
+                title: A test
+                teaches: A test.
+                solver: rk4
+                deltaT: 0.01
+                duration: 0.1
+                particles:
+                  - {id: "\u00e4", position: [0, 0, 0]}
+                  - {id: "\u00f6", position: [0, 0, 0]}
+                  - {id: a, position: [0, 0, 0]}
+                  - {id: A, position: [0, 0, 0]}
+                """);
+        assertHas(sweepOf(ExitCode.DONE, "names", Stream.of("--scene=" + scene, "--vary=duration = 0.1, 0.2",
+                "--measure=x of \u00e4, x of \u00f6, x of a, x of A")), "Every run:");
+        for (String name : List.of("x-of", "x-of-2", "x-of-a", "x-of-A-2")) {
+            assertTrue(Files.exists(top.resolve("names").resolve(name + ".png")), name);
+        }
+        assertHas(Files.readString(top.resolve("names/sweep.md")), "2 runs.");
     }
 
     /** Rows of other measures, or of another scene, have a file of their own. */

@@ -3,9 +3,12 @@ package particles.experiments.grid;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.grid.Grid.Row;
@@ -17,10 +20,21 @@ import particles.view.Series;
 class SceneGridTest {
     private static final double STIFFNESS = 100;
 
+    @TempDir
+    Path top;
+
     private static List<Row> rows(String scene, String vary, String measures) {
+        return rows(Path.of("scenes", scene), vary, measures);
+    }
+
+    private List<Row> rowsOf(String text, String vary, String measures) throws IOException {
+        return rows(Files.writeString(top.resolve("scene.yaml"), text), vary, measures);
+    }
+
+    private static List<Row> rows(Path scene, String vary, String measures) {
         Grid grid = new Grid(GridAxis.list(vary));
-        SceneGrid runs = new SceneGrid(settings -> SceneReader.read(Path.of("scenes", scene), ClassNames.none(),
-                settings), grid, Measure.list(measures), "--vary");
+        SceneGrid runs = new SceneGrid(settings -> SceneReader.read(scene, ClassNames.none(), settings), grid,
+                Measure.list(measures), "--vary");
         return grid.points().stream().map(runs::run).toList();
     }
 
@@ -89,6 +103,54 @@ class SceneGridTest {
         Row row = rows("12-stiff-network.yaml", "deltaT = 0.01", "evaluations, max y of load").get(0);
         assertTrue(row.measured().stream().allMatch(value -> value.isNaN()), row.toString());
         assertTrue(row.end().startsWith("the numerical error is"), row.end());
+    }
+
+    /** A body thrown upwards turns after v/g, here at the end of a step, at v^2/(2 g). */
+    @ParameterizedTest
+    @CsvSource({"verlet, 10, 0.01", "rk4, 10, 0.01", "verlet, 2, 0.05", "rk4, 2, 0.05"})
+    void aTurningPointMayBeTheEndOfAStep(String solver, double gravity, String deltaT) throws IOException {
+        Row row = rowsOf("""
+                title: A test
+                teaches: A test.
+                duration: 0.2
+                particles:
+                  - {id: a, position: [0, 0, 0], velocity: [0, 0.1, 0]}
+                effects:
+                  - gravity: {acceleration: [0, -%s, 0]}
+                """.formatted(gravity), "solver = " + solver + "; deltaT = " + deltaT,
+                "max y of a, min y of a, y of a").get(0);
+        assertEquals(0.1 * 0.1 / (2 * gravity), row.measured().get(0), 1e-15, row.toString());
+        assertEquals(row.measured().get(2), row.measured().get(1), row.toString());
+    }
+
+    /** The first particle leaves at t = 0.5 s, and the second moves up in the state. */
+    @Test
+    void aParticleIsFollowedWhenOthersAreGone() throws IOException {
+        Row row = rowsOf("""
+                title: A test
+                teaches: A test.
+                solver: rk4
+                duration: 1
+                particles:
+                  - {id: a, position: [0, 0, 0], velocity: [2, 0, 0]}
+                  - {id: b, position: [0, 0, 0], velocity: [-1, 0, 0]}
+                rules:
+                  - kill: {point: [0.995, 0, 0], normal: [-1, 0, 0]}
+                """, "deltaT = 0.01", "x of b, max x of b, x of a, max x of a").get(0);
+        assertEquals(-1, row.measured().get(0), 1e-12, row.toString());
+        assertEquals(0, row.measured().get(1), row.toString());
+        assertEquals(Double.NaN, row.measured().get(2), row.toString());
+        assertEquals(1, row.measured().get(3), 1e-12, row.toString());
+        assertEquals(SceneGrid.WHOLE, row.end());
+    }
+
+    @Test
+    void aPointWithoutTheParticleIsARowWithItsReason() {
+        List<Row> rows = rows("08-cloth.yaml", "shapes[0].columns = 25, 13; duration = 0.01",
+                "y of cloth[20,2], steps");
+        assertEquals(SceneGrid.WHOLE, rows.get(0).end());
+        assertEquals(List.of(Double.NaN, Double.NaN), rows.get(1).measured());
+        assertEquals("particle 'cloth[20,2]' does not exist", rows.get(1).end());
     }
 
     @Test
