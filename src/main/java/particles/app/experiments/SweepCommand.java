@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -101,7 +102,7 @@ public final class SweepCommand extends ExperimentCommand {
         scene = mistakes.value(() -> read(List.of()));
         runs = mistakes.value(() -> {
             SceneGrid made = new SceneGrid(this::read, grid.get(), measures.get(), getStyle().option("vary"));
-            scene.get();                                // its own mistakes come first
+            Objects.requireNonNull(scene.get());        // its own mistakes come first
             made.checkAxes();
             made("measure", () -> {
                 made.checkMeasures();
