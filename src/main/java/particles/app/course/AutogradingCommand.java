@@ -9,9 +9,9 @@ import picocli.CommandLine.Command;
 @Command(name = "autograding", description = "Writes a workflow for GitHub Classroom and a script for Moodle VPL.")
 public final class AutogradingCommand extends ResultsCommand {
     private static final String WORKFLOW = """
-            # Put this into .github/workflows/ of the assignment's template. grade.json is what the reporter reads.
+            # For .github/workflows/ of the assignment's template. The reporter reads grade.json.
             name: Autograding Tests
-            # The numbers come from the login: repositories have to be called homework-login, or change it here.
+            # Numbers come from the login: repositories are called homework-login, or change it here.
             env:
               ASSIGNMENT: homework
             on: [push, workflow_dispatch]
@@ -36,7 +36,7 @@ public final class AutogradingCommand extends ResultsCommand {
                       STUDENT=${REPOSITORY#"$ASSIGNMENT"-}
                       if [ "$STUDENT" = "$REPOSITORY" ]; then echo "$REPOSITORY: not $ASSIGNMENT-login"; exit 1; fi
                       rm -rf build/out
-                      # fails for a wrong answer, too, but then there are marks
+                      # a wrong answer fails, too, but has marks
                       gradle grade "-Pstudent=$STUDENT" || test -s build/out/grade/grade.json
                       echo "result=$(base64 -w0 build/out/grade/grade.json)" >> "$GITHUB_OUTPUT"
                   - uses: classroom-resources/autograding-grading-reporter@v1
@@ -47,9 +47,8 @@ public final class AutogradingCommand extends ResultsCommand {
             """;
     private static final String VPL = """
             #!/bin/bash
-            # For Moodle's VPL: makes vpl_execution, which marks. On the execution server, what gradle installDist makes
-            # has to be in /opt/desolver; assignment.yaml belongs to the activity's execution files. The numbers come
-            # from the user's id in Moodle.
+            # For Moodle's VPL: makes vpl_execution. Put what gradle installDist makes into /opt/desolver on the
+            # execution server, and assignment.yaml into the execution files. Numbers come from Moodle's user id.
             { cat vpl_environment.sh; cat << 'END'; } > vpl_execution
 
             export JAVA_OPTS=-Ddesolver.exercises=.

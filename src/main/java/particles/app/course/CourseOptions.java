@@ -1,10 +1,12 @@
 package particles.app.course;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Option;
 
 /** The options that say what counts, and where the numbers come from. */
@@ -33,11 +35,20 @@ final class CourseOptions {
                 : Optional.ofNullable(secrets.get(student.strip()));
     }
 
-    /** @return the secrets in a key file, by the students' ids */
+    /**
+     * @return the secrets in a key file, by the students' ids
+     * @throws InvalidInputException if a line has another number of columns: written again, it would lose its secret
+     */
     static Map<String, String> secrets(Path file) {
         Map<String, String> secrets = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
-        ClassList.rows(file).stream().skip(1).filter(cells -> cells.size() == 2).forEach(cells -> secrets.put(
-                cells.get(0), cells.get(1)));
+        List<List<String>> rows = ClassList.rows(file);
+        rows.stream().skip(1).forEach(cells -> {
+            if (cells.size() != 2) {
+                throw new InvalidInputException(file + ":" + (rows.indexOf(cells) + 1)
+                        + ": a key file has 2 columns, student and secret");
+            }
+            secrets.put(cells.get(0), cells.get(1));
+        });
         return secrets;
     }
 }

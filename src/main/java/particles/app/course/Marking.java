@@ -44,13 +44,13 @@ record Marking(Assignment assignment, Optional<String> numbers, Submission handI
     private static final double SECONDS = 60;
 
     private AnswersFile answers() {
-        return handIn.answers().stream().findFirst().map(path -> AnswersFile.read(path, handIn.files().get(path)
-                .text())).orElse(new AnswersFile(Map.of(), List.of("there is no " + Submission.ANSWERS)));
+        return handIn.answers().stream().findFirst().map(path -> AnswersFile.read(path, handIn.files().get(path)))
+                .orElse(new AnswersFile(Map.of(), List.of("there is no " + Submission.ANSWERS)));
     }
 
-    /** @return everything on which the result depends */
+    /** @return the fingerprint of everything on which the result depends; dates of files are not in it */
     String digest() {
-        return Digest.of(Program.VERSION + assignment + numbers + handIn);
+        return Digest.of(Program.VERSION + assignment + numbers + handIn.files() + handIn.others());
     }
 
     /** Marks the hand-in of a student. */

@@ -53,7 +53,8 @@ public final class SheetsCommand extends ResultsCommand {
     @Override
     public void run(PrintWriter out) throws Exception {
         Set<Integer> wanted = course.readAssignment().exercises().keySet();
-        Path key = course.getKey().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
+        Path key = course.getKey().orElseThrow(() -> wrong("key", "give the key file; it is created if it does not"
+                + " exist"));
         Map<String, String> secrets = Files.exists(key) ? CourseOptions.secrets(key)
                 : new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         List<List<Double>> taken = new ArrayList<>();
@@ -61,7 +62,7 @@ public final class SheetsCommand extends ResultsCommand {
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
             for (ClassList.Student each : ClassList.read(students).students().values()) {
-                String secret = secrets.computeIfAbsent(each.id(), id -> secret(wanted, taken));
+                String secret = secrets.computeIfAbsent(each.id(), id -> secret(id, wanted, taken, out));
                 sheet++;
                 files.write("sheet-" + sheet + "-" + each.id().replaceAll("[^\\w-]", "_") + ".html", Html.fill(PAGE,
                         Map.of("student", each.id(), "parts", wanted.stream().map(number -> Map.of("number", number,
@@ -81,11 +82,14 @@ public final class SheetsCommand extends ResultsCommand {
                 ? Stream.of(numeric.worked(new Draw(secret, number)).answer()) : Stream.empty()).toList();
     }
 
-    /** A secret with which no answer is right for somebody else, as far as there is one. */
-    private static String secret(Set<Integer> wanted, List<List<Double>> taken) {
+    /** A secret with which no answer is right for somebody else; if none is found, the lecturer is told. */
+    static String secret(String id, Set<Integer> wanted, List<List<Double>> taken, PrintWriter out) {
         for (int draw = 1;; draw++) {
             String secret = UUID.randomUUID().toString();
             List<Double> mine = answers(wanted, secret);
+            if (draw == MOST_DRAWS) {
+                out.println(id + ": an answer may also be right for another student");
+            }
             if (draw == MOST_DRAWS || taken.stream().noneMatch(other -> IntStream.range(0, mine.size()).anyMatch(k ->
                     NumericExercise.isNear(other.get(k), mine.get(k)) || NumericExercise.isNear(mine.get(k),
                     other.get(k))))) {

@@ -1,16 +1,15 @@
 package particles.app.course;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -20,8 +19,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
+import java.util.zip.ZipFile;
 import org.apache.commons.compress.archivers.tar.TarArchiveEntry;
 import org.apache.commons.compress.archivers.tar.TarArchiveInputStream;
 import particles.spec.SourceText;
@@ -29,14 +31,17 @@ import particles.spec.messages.InvalidInputException;
 
 /**
  * A hand-in as Moodle and GitHub Classroom download it: a folder, a zip or .tar.gz, a folder with these, or the files
- * of Moodle's download without folders. It is read into memory before any class runs. Links are not followed.
+ * of Moodle's download without folders. It is read into memory before any class runs. Links are not followed, and
+ * archives inside archives are not opened.
  *
  * @param name    the name of the folder or archive
- * @param files   the YAML and Java files, by their paths
+ * @param files   the texts of the YAML and Java files, by their paths
  * @param damaged the files that cannot be read, and why, a line each
  * @param others  the paths of all other files
+ * @param dates   the dates of the texts
  */
-record Submission(String name, Map<String, Text> files, List<String> damaged, List<String> others) {
+record Submission(String name, Map<String, String> files, List<String> damaged, List<String> others,
+        List<FileTime> dates) {
     /** Moodle's names of folders, and of files in a download without folders: student, number, file. */
     static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_[a-z]+_?(.*)");
     static final String ANSWERS = "answers.yaml";
@@ -53,13 +58,9 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
             "(?:^|/)(?:[.][^/]+|__MACOSX|build|src/test|src/main/java/(?:particles|deSolvers))(?:/|$)");
     private static final Pattern OTHER_PACKAGE = Pattern.compile("(?m)^\\s*package\\s+(?!exercises\\s*;)");
 
-    /** The contents and the date of a file. */
-    record Text(String text, FileTime date) {
-    }
-
     /** An empty hand-in. */
     Submission(String name) {
-        this(name, new TreeMap<>(), new ArrayList<>(), new ArrayList<>());
+        this(name, new TreeMap<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
     }
 
     /**
@@ -70,8 +71,8 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
      */
     static Map<String, List<Path>> list(Path folder) throws IOException {
         try (Stream<Path> all = Files.list(folder)) {
-            return all.filter(path -> !NOT_HANDED_IN.matcher(nameOf(path)).find() && (isFolder(path) || MOODLE.matcher(
-                    nameOf(path)).matches() || ARCHIVE.matcher(nameOf(path)).matches())).sorted().collect(Collectors
+            return all.filter(path -> !NOT_HANDED_IN.matcher(nameOf(path)).find() && (isFolder(path) || FILE.matcher(
+                    nameOf(path)).matches())).sorted().collect(Collectors
                     .groupingBy(path -> isFolder(path) ? nameOf(path) : FILE.matcher(nameOf(path)).replaceFirst("$1$2"),
                     TreeMap::new, Collectors.toList()));
         }
@@ -143,18 +144,30 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
 
     /** Names are in UTF-8, or in the code page of old Windows programs. */
     private void zip(Path file) throws IOException {
-        try (FileSystem zip = FileSystems.newFileSystem(file, Map.of("encoding", "UTF-8"))) {
-            addAll(zip.getPath("/"));
+        try {
+            zip(file, StandardCharsets.UTF_8);
         } catch (ZipException e) {
-            try (FileSystem zip = FileSystems.newFileSystem(file, Map.of("encoding", "IBM437"))) {
-                addAll(zip.getPath("/"));
+            zip(file, Charset.forName("IBM437"));
+        }
+    }
+
+    private void zip(Path file, Charset names) throws IOException {
+        try (ZipFile zip = new ZipFile(file.toFile(), names)) {
+            for (ZipEntry entry : zip.stream().filter(entry -> !entry.isDirectory()).toList()) {
+                byte[] start = zip.getInputStream(entry).readNBytes(LARGEST);
+                CRC32 sum = new CRC32();                // ZipFile does not check it
+                sum.update(start);
+                if (start.length < LARGEST && sum.getValue() != entry.getCrc()) {
+                    throw new IOException(entry.getName() + " is damaged");
+                }
+                add(entry.getName(), new ByteArrayInputStream(start), entry.getLastModifiedTime());
             }
         }
     }
 
     private void tar(Path file) throws IOException {
         try (TarArchiveInputStream tar = new TarArchiveInputStream(new GZIPInputStream(Files.newInputStream(file)),
-                StandardCharsets.UTF_8.name())) {
+                "UTF-8")) {
             for (TarArchiveEntry entry = tar.getNextEntry(); entry != null; entry = tar.getNextEntry()) {
                 if (entry.isFile()) {
                     add(entry.getName(), tar, entry.getLastModifiedTime());
@@ -166,7 +179,8 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
     private void add(String place, InputStream bytes, FileTime date) throws IOException {
         Matcher text = TEXT.matcher(place);
         if (text.matches() && !NOT_HANDED_IN.matcher(place).find()) {
-            files.put(text.group(1), new Text(SourceText.lenient(bytes.readNBytes(LARGEST)), date));
+            files.put(text.group(1), SourceText.lenient(bytes.readNBytes(LARGEST)));
+            dates.add(date);
         } else {
             others.add(place);
         }
@@ -179,14 +193,14 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
 
     /** @return the latest date of a file, to the second; empty if there is no file */
     String newest() {
-        return files.values().stream().map(Text::date).max(Comparator.naturalOrder()).map(date -> date.toInstant()
-                .truncatedTo(ChronoUnit.SECONDS).toString()).orElse("");
+        return dates.stream().max(Comparator.naturalOrder()).map(date -> date.toString().replaceFirst("[.]\\d+", ""))
+                .orElse("");
     }
 
     /** @return the paths of all that may be answers; first what is fewest folders deep and called as it should be */
     List<String> answers() {
         return files.keySet().stream().filter(ANY_ANSWERS.asMatchPredicate()).sorted(DEPTH.thenComparing(path ->
-                !path.endsWith(ANSWERS)).thenComparing(Comparator.naturalOrder())).toList();
+                !path.endsWith(ANSWERS))).toList();         // keys are sorted already
     }
 
     /** @return the files that a student may have meant to count, and that do not, a line each */
@@ -205,9 +219,9 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
         List<String> classes = files.keySet().stream().filter(path -> path.matches("(?i).*[.]java")).sorted(DEPTH)
                 .toList();
         List<String> named = classes.stream().filter(path -> ("/" + path).contains("/exercises/")).toList();
-        return (named.isEmpty() ? classes.stream().filter(path -> !OTHER_PACKAGE.matcher(files.get(path).text).find())
+        return (named.isEmpty() ? classes.stream().filter(path -> !OTHER_PACKAGE.matcher(files.get(path)).find())
                 : named.stream()).collect(Collectors.toMap(path -> path.replaceAll(".*/|[.]\\w+$", ""), path ->
-                files.get(path).text, (first, deeper) -> first, TreeMap::new));
+                files.get(path), (first, deeper) -> first, TreeMap::new));
     }
 
     /**
@@ -219,7 +233,7 @@ record Submission(String name, Map<String, Text> files, List<String> damaged, Li
         String wanted = ClassList.fold(answers().get(0).replaceFirst("[^/]*$", "") + path.replace('\\', '/')
                 .replaceFirst("^([.]/)+", ""));
         return files.keySet().stream().filter(file -> ClassList.fold(file).equals(wanted)).findFirst().map(file ->
-                files.get(file).text.getBytes(StandardCharsets.UTF_8)).orElseThrow(() -> new InvalidInputException(path
+                files.get(file).getBytes(StandardCharsets.UTF_8)).orElseThrow(() -> new InvalidInputException(path
                 + ": there is no such file in the hand-in"));
     }
 }

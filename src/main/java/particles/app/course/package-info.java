@@ -8,7 +8,8 @@
  * {@code grade} does, one on each core. Classes, answers and scenes may lie in any folder of the hand-in, in a zip or a
  * .tar.gz; of several hand-ins of a student, the one with the latest file counts. A git clone sets the dates of files
  * to the time of cloning. Whether a hand-in is late is for Moodle or GitHub to say. After a stop, the same command
- * marks only those who have no result yet, or whose hand-in, numbers or assignment changed.
+ * marks only those who have no result yet, or whose hand-in, numbers or assignment changed; dates of files do not
+ * matter there.
  *
  * <p>The list is one that Moodle exports (participants, or the grading worksheet), or has an id in each line, from
  * which the numbers come, and then a name and other names by which hand-ins are known: the name or number in {@code
@@ -24,9 +25,10 @@
  * <p>For practice, a student's numbers come from the id, so anyone who knows an id can work out that student's numbers.
  * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student
  * and a key file, which students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the
- * assignment tells {@code grade} of it. No student's answer is also right for another, not in a course of a thousand;
- * with numbers from the id, at most ten of a hundred share an answer with somebody in any exercise. {@code gradle
- * autograding} writes a workflow for GitHub Classroom and a script for VPL.
+ * assignment tells {@code grade} of it. A secret is drawn again if an answer is also right for another student: in
+ * classes of 100, 300 and 1,000, no answer was shared in any exercise. After 100 draws without success, {@code sheets}
+ * names the student. With numbers from the id, at most ten of a hundred share an answer with somebody in any exercise.
+ * {@code gradle autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is marked in parts, on any number of processors or machines; README's section on exercises has the
  * commands for GNU parallel and for Slurm. A part's exit code is 0 when it has marked its hand-ins, whatever the marks

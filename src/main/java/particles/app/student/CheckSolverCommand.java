@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import particles.app.cli.ChartOptions;
 import particles.app.student.Check.Checked;
@@ -65,14 +66,14 @@ public final class CheckSolverCommand extends CheckCommand {
         SolverVerdict verdict = AskedMethods.check(maker, name, method);
         if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
             run.run();
-            throw new IllegalStateException("the check itself is not wanted");
+            throw new IllegalStateException();          // the check itself is not wanted
         }, name), before -> PlainRuns.solver(maker, before))) {
             return new Checked(name, verdict.identity(), List.of(new Finding(Kind.FAILURE,
                     "outside this check, or after many steps, its steps differ from those in this check")));
         }
         List<Finding> findings = new ArrayList<>(verdict.findings());
         Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();
-        if (wrong.equals(Optional.of(Kind.FAILURE)) || wrong.equals(Optional.of(Kind.UNWRITTEN))) {
+        if (wrong.filter(Set.of(Kind.FAILURE, Kind.UNWRITTEN)::contains).isPresent()) {
             return new Checked(name, verdict.identity(), findings);
         }
         SolverFigures figures;

@@ -1,9 +1,7 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
-import java.util.List;
 import particles.app.cli.ProgramCommand;
-import particles.teaching.exercises.Exercise;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine.Command;
 
@@ -12,9 +10,8 @@ import picocli.CommandLine.Command;
 public final class ExercisesCommand extends ProgramCommand {
     @Override
     public void run(PrintWriter out) {
-        List<Exercise> all = Exercises.ALL;
-        for (int number = 1; number <= all.size(); number++) {
-            out.printf("%2d  %s%n", number, all.get(number - 1).title());
+        for (int number = 1; number <= Exercises.ALL.size(); number++) {
+            out.printf("%2d  %s%n", number, Exercises.ALL.get(number - 1).title());
         }
     }
 }

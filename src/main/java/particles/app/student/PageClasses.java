@@ -51,18 +51,18 @@ public final class PageClasses {
         return """
                 package particles.lab.browser;
 
+                import java.util.Map;
+                import java.util.function.Supplier;
+
                 final class Students {
-                    static final java.util.Map<String, java.util.function.Supplier<deSolvers.DESolver>> SOLVERS
-                            = java.util.Map.ofEntries(%s);
-                    static final java.util.Map<String,
-                            java.util.function.Supplier<particles.effects.EffectKind>> EFFECTS
-                            = java.util.Map.ofEntries(%s);
+                    static final Map<String, Supplier<deSolvers.DESolver>> SOLVERS = Map.ofEntries(%s);
+                    static final Map<String, Supplier<particles.effects.EffectKind>> EFFECTS = Map.ofEntries(%s);
                 }
                 """.formatted(entries(solvers, ""), entries(effects, ".Keys"));
     }
 
     private static String entries(Collection<String> names, String inner) {
-        return names.stream().map(name -> "java.util.Map.entry(\"%1$s\", %1$s%2$s::new)".formatted(name, inner))
+        return names.stream().map(name -> "Map.entry(\"%1$s\", %1$s%2$s::new)".formatted(name, inner))
                 .collect(Collectors.joining(", "));
     }
 }

@@ -209,6 +209,7 @@ class GradeClassCommandTest {
             Files.writeString(result, Files.readString(result).replace("\"pass\"", name.equals("d") ? "\"error\""
                     : "\"fail\"").replace("\"score\": 1.0", "\"score\": 0.0").replace("This is right.", "kept"));
         }
+        Files.setLastModifiedTime(folder.resolve("in/a/answers.yaml"), FileTime.fromMillis(0));     // as a new clone
         handIn("b", "answers.yaml", answer("b") + "# changed\n");
         Files.writeString(folder.resolve("out/c/grade.json"), "damaged");
         gradeAll();

@@ -4,10 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static particles.Texts.assertHas;
 
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
@@ -53,6 +57,29 @@ class SheetsCommandTest {
             List<Double> all = keys.values().stream().map(secret -> answer(secret, exercise)).toList();
             assertEquals(0, all.stream().filter(mine -> all.stream().filter(other ->
                     NumericExercise.isNear(other, mine)).count() > 1).count(), "exercise " + number);
+        }
+    }
+
+    /** It would lose the secrets of printed sheets. */
+    @Test
+    void aKeyFileWithAnotherNumberOfColumnsIsRefusedAndKept() throws Exception {
+        Files.writeString(folder.resolve("list.csv"), "id,name\ns1,Name\n");
+        Path key = folder.resolve("key.csv");
+        for (String line : List.of("s1,a,b", "s1", "s1;a")) {
+            Files.writeString(key, "student,secret\ns0,a\n" + line + "\n");
+            assertHas(run(ExitCode.BAD_INPUT, "sheets", "--students=" + folder.resolve("list.csv"), "--key=" + key,
+                    "--out=" + folder.resolve("out")), key + ":3: a key file has 2 columns, student and secret");
+            assertHas(Files.readString(key), line);
+        }
+    }
+
+    @Test
+    void theLecturerIsToldOfAStudentWithASharedAnswer() {
+        for (double other : new double[] {0, Double.POSITIVE_INFINITY}) {     // infinity is near to any number
+            StringWriter screen = new StringWriter();
+            SheetsCommand.secret("s7", Set.of(2), new ArrayList<>(List.of(List.of(other))), new PrintWriter(screen));
+            assertEquals(other == 0 ? "" : "s7: an answer may also be right for another student", screen.toString()
+                    .strip());
         }
     }
 

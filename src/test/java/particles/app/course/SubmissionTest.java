@@ -4,12 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static particles.Texts.assertHas;
 
+import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.zip.CRC32;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.OtherSystems;
@@ -39,6 +43,51 @@ class SubmissionTest {
             assertHas(assertThrows(InvalidInputException.class, () -> read.file(path)).getMessage(), path
                     + ": there is no such file in the hand-in");
         }
+    }
+
+    private static byte[] zip(String name, byte[] contents) throws Exception {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+            CRC32 sum = new CRC32();
+            sum.update(contents);
+            ZipEntry entry = new ZipEntry(name);
+            entry.setMethod(ZipEntry.STORED);
+            entry.setSize(contents.length);
+            entry.setCrc(sum.getValue());
+            zip.putNextEntry(entry);
+            zip.write(contents);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static Submission zipped(Path folder, byte[] bytes) throws Exception {
+        return Submission.read("ann", List.of(Files.write(folder.resolve("ann.zip"), bytes)));
+    }
+
+    /** Python's zipfile.writestr makes a name with "./". */
+    @Test
+    void aNameMayBeginWithTheFolderItself(@TempDir Path folder) throws Exception {
+        Submission read = zipped(folder, zip("./answers.yaml", "2: 1\n".getBytes(StandardCharsets.UTF_8)));
+        assertEquals(List.of(List.of("./answers.yaml"), List.of()), List.of(read.answers(), read.damaged()));
+        assertEquals("2: 1\n", new String(read.file("answers.yaml"), StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void aDamagedTextIsNotTheStudents(@TempDir Path folder) throws Exception {
+        byte[] bytes = zip("answers.yaml", "2: 1\n".getBytes(StandardCharsets.UTF_8));
+        int digit = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("2: 1");
+        bytes[digit] = '3';
+        Submission read = zipped(folder, bytes);
+        assertEquals(List.of(Map.of(), List.of("ann.zip: answers.yaml is damaged")), List.of(read.files(),
+                read.damaged()));
+    }
+
+    /** One that contains itself would never end. */
+    @Test
+    void archivesInsideArchivesAreNotOpened(@TempDir Path folder) throws Exception {
+        Submission read = zipped(folder, zip("work.zip", zip("answers.yaml", new byte[0])));
+        assertEquals(List.of(Map.of(), List.of(), List.of("work.zip"), List.of("work.zip is not read")), List.of(
+                read.files(), read.damaged(), read.others(), read.remarks()));
     }
 
     @Test
