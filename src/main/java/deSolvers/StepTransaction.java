@@ -99,7 +99,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite; the client is then as it was found
      */
     public void finish(double[] newState) {
-        if (isEnded(newState)) {
+        if (moveClockToEnd(newState)) {
             client.setState(newState);
             open = false;
         }
@@ -108,7 +108,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     /** As {@link #finish}, for an array that nobody needs any more; returns another one in its place. */
     double[] finishWith(double[] newState) {
         double[] free = newState;
-        if (isEnded(newState)) {
+        if (moveClockToEnd(newState)) {
             if (direct) {
                 free = ((ArrayStateSource) client).exchangeState(newState);
             } else {
@@ -119,8 +119,8 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         return free;
     }
 
-    /** Checks the new state and moves the clock; returns false if deltaT is 0, when close() restores state and time. */
-    private boolean isEnded(double[] newState) {
+    /** Checks the new state and moves the clock to the end; returns false, and moves nothing, if deltaT is 0. */
+    private boolean moveClockToEnd(double[] newState) {
         if (deltaT == 0) {
             requireFiniteStart();
             return false;

@@ -92,7 +92,7 @@ final class SharedWork {
         }
     }
 
-    /** Waits a moment. After some of them, another thread that has work for this processor gets it. */
+    /** Spins at first, then yields the processor to other threads. */
     @SuppressWarnings("ThreadPriorityCheck")            // results never depend on who runs when
     private static void spin(long waited) {
         if (waited < SPIN) {

@@ -20,14 +20,15 @@ final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
     /**
      * Pivots below this fraction of a diagonal entry (by QR, of the largest entry of R) are round-off: rows within an
-     * angle of 3e-6 of being dependent. Where masses differ, so do the angles of rows that are not.
+     * angle of 3e-6 of being dependent. With uneven masses, independent rows can be at smaller angles, so the limit is
+     * lower.
      */
     private static final double SINGULAR = 1e-11;
     /** The smallest such fraction, however much masses differ. */
     private static final double LOST = 1e-14;
     /** Round-off of accelerations, relative to the largest entry of b, where all masses are equal. */
     private static final double NOISE = 0x1p-49;
-    /** With more noise than this, nobody knows which rows are dependent. */
+    /** Above this noise, dependent rows cannot be told from independent ones. */
     private static final double MOST_NOISE = NOISE * ConstraintCorrection.MOST_UNEVEN;
     /** The residual of good factors, relative to the largest entry of b. */
     private static final double ACCURATE = 1e-12;
@@ -55,7 +56,7 @@ final class ActiveSetMethod {
     private double singular = SINGULAR;
     private double noise = NOISE;
 
-    /** Sets the largest of the masses by the smallest: forces that light particles pass on have so much more noise. */
+    /** Sets the ratio of the largest mass to the smallest; round-off of forces grows with it. */
     void setMassRatio(double ratio) {
         singular = Math.max(SINGULAR / ratio, LOST);
         noise = NOISE * ratio;

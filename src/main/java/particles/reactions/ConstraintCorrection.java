@@ -8,8 +8,8 @@ import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule, and rods
- * between particles that friction holds once one of them moves again. Also adds what round-off has left of forces
+ * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule. A rod whose
+ * two ends are held by friction is corrected once one of them moves. Also adds what round-off has left of forces
  * between very light and very heavy particles: where a light one carries a heavy one, the force on it is the small
  * difference of large ones.
  * Positions are corrected by Newton's method with the smallest mass-weighted moves, W J<sup>T</sup> mu with J W

@@ -197,8 +197,8 @@ public final class ExactImpacts extends Impacts implements EventRule {
     }
 
     /**
-     * Answers all impacts of this moment, besides one that is known. Those to which they lead without a way between
-     * are answered with them, as where a ball goes to and fro in a gap that closes.
+     * Answers all impacts of this moment, besides one that is known. Impacts that follow at once are answered in the
+     * same call, as when a ball is caught in a closing gap.
      */
     final void answer(int p, int i) {
         double[] state = system.getOwnState();

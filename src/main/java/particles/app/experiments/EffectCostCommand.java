@@ -42,9 +42,9 @@ public final class EffectCostCommand extends ExperimentCommand {
         return new ResultPage(name(), panel.title(),
                 List.of("A scene pays for what it names and for nothing else: this is a cloth of "
                         + columns + " x " + columns + " particles, rk4, with one thing more at a time.",
-                        "Springs alone take " + EffectCost.overLoop(costs) + " times as long as a plain loop over them,"
-                        + " four times. Each bar is the fastest of " + rounds + " rounds of " + STEPS
-                        + " steps, in CPU time; all variants take turns."),
+                        "Springs alone take " + EffectCost.overLoop(costs) + " times as long as four passes of a"
+                        + " plain loop, one for each evaluation of rk4. Each bar is the fastest of " + rounds
+                        + " rounds of " + STEPS + " steps, in CPU time; all variants take turns."),
                 List.of(Picture.of("effect-cost",
                         "Time of a step, relative to springs alone, on a logarithmic axis.", panel)),
                 List.of(EffectCost.table(costs)));

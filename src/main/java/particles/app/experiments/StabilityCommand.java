@@ -94,7 +94,7 @@ public final class StabilityCommand extends ExperimentCommand {
                         real axis. A step that a solver refuses counts as unstable.""",
                 """
                         Of an adaptive solver one sub-step is measured; it divides longer steps. bulirsch-stoer states \
-                        no limits: measured are those of the first line of its table."""),
+                        no limits: the measured limits are those of the first row of its table."""),
                 progress.part(0.5, 0.9).each(List.of(
                         new Region("slides",
                                 """

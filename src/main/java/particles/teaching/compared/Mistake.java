@@ -13,8 +13,8 @@ import particles.teaching.declared.Step;
 
 /** The typical mistakes: each makes other steps of a known method's. The check compares a student's step with them. */
 public enum Mistake {
-    NO_DERIVATIVE("no derivative is in it: is the state set, and is there 1/2 or 1/6 of whole numbers, 0 in Java, for"
-            + " 1/2.0?", (s, h) -> Changes.increments(s, 0)),
+    NO_DERIVATIVE("no derivative is in it: is the state set? 1/2 and 1/6 are 0 in Java; write 1/2.0",
+            (s, h) -> Changes.increments(s, 0)),
     WEIGHT("a sign or a factor is wrong", (s, h) -> Stream.of(-1.0, 0.0, 0.5, 2.0).flatMap(factor -> multiplied(s,
             factor))),
     NOT_SET("setState is missing before this getStateDerivative", (s, h) -> Stream.concat(each(s, r -> r == 0 || r
@@ -30,7 +30,7 @@ public enum Mistake {
     OTHER_SLOPE("another derivative stands in it", (s, h) -> each(s, r -> Changes.columns(s, r).flatMap(from ->
             Changes.columns(s, r).map(to -> moved(s, r, c -> c == from ? to : c))))),
     CLOCK("incTime has to move the clock there before the evaluation", (s, h) -> Changes.clocks(s)),
-    BY_DELTA_T("it, or a part of it, is multiplied by deltaT once too often or once too rarely",
+    BY_DELTA_T("deltaT is multiplied in twice, or not at all",
             (s, h) -> Stream.of(h, 1 / h).flatMap(factor -> multiplied(s, factor))),
     FROZEN("velocities stand still while positions make their step, and the other way round",
             (s, h) -> Stream.concat(inTurn(s, k -> k / 3 % 2), inTurn(s, k -> 1 - k / 3 % 2))),

@@ -41,8 +41,8 @@ public record EffectCheck(EffectTrial trial) {
             return new EffectWriting(trial).finding().or(this::contradiction).or(() -> EffectClaims.broken(
                     trial.system(), trial.effect(), 2003).stream().findFirst().map(this::explained));
         } catch (IndexOutOfBoundsException e) {
-            return EffectWriting.wrong(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(e) + "; a"
-                    + " loop over particles goes while i < particles.count()");
+            return EffectWriting.wrong(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(e) + "; loop"
+                    + " over particles with i < particles.count()");
         }
     }
 

@@ -90,7 +90,6 @@ public record SolverFigures(DataTable facts, Panel order, Optional<Panel> region
         return points;
     }
 
-    /** The stability limits stand among the first rows: on the screen a report ends after twelve lines. */
     private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order,
             List<double[]> energy, StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
