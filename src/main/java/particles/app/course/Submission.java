@@ -1,6 +1,7 @@
 package particles.app.course;
 
 import java.io.ByteArrayInputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.Charset;
@@ -125,15 +126,13 @@ record Submission(String name, Map<String, String> files, List<String> damaged, 
 
     private void add(String place, Path file) {
         Matcher archive = ARCHIVE.matcher(place);
-        try {
+        try (InputStream bytes = Files.newInputStream(file)) {
             if (!archive.matches() || NOT_HANDED_IN.matcher(place).find()) {
-                try (InputStream bytes = Files.newInputStream(file)) {
-                    add(place, bytes, Files.getLastModifiedTime(file));
-                }
+                add(place, bytes, Files.getLastModifiedTime(file));
             } else if (archive.group(2).equalsIgnoreCase("zip")) {
                 zip(file);
             } else if (archive.group(2).matches("(?i).*gz")) {
-                tar(file);
+                tar(bytes);
             } else {
                 throw new IOException("only .zip and .tar.gz are read");
             }
@@ -143,16 +142,16 @@ record Submission(String name, Map<String, String> files, List<String> damaged, 
     }
 
     /** Names are in UTF-8, or in the code page of old Windows programs. */
-    private void zip(Path file) throws IOException {
+    private static ZipFile opened(File file) throws IOException {
         try {
-            zip(file, StandardCharsets.UTF_8);
+            return new ZipFile(file);
         } catch (ZipException e) {
-            zip(file, Charset.forName("IBM437"));
+            return new ZipFile(file, Charset.forName("IBM437"));
         }
     }
 
-    private void zip(Path file, Charset names) throws IOException {
-        try (ZipFile zip = new ZipFile(file.toFile(), names)) {
+    private void zip(Path file) throws IOException {
+        try (ZipFile zip = opened(file.toFile())) {
             for (ZipEntry entry : zip.stream().filter(entry -> !entry.isDirectory()).toList()) {
                 byte[] start = zip.getInputStream(entry).readNBytes(LARGEST);
                 CRC32 sum = new CRC32();                // ZipFile does not check it
@@ -165,9 +164,8 @@ record Submission(String name, Map<String, String> files, List<String> damaged, 
         }
     }
 
-    private void tar(Path file) throws IOException {
-        try (TarArchiveInputStream tar = new TarArchiveInputStream(new GZIPInputStream(Files.newInputStream(file)),
-                "UTF-8")) {
+    private void tar(InputStream bytes) throws IOException {
+        try (TarArchiveInputStream tar = new TarArchiveInputStream(new GZIPInputStream(bytes), "UTF-8")) {
             for (TarArchiveEntry entry = tar.getNextEntry(); entry != null; entry = tar.getNextEntry()) {
                 if (entry.isFile()) {
                     add(entry.getName(), tar, entry.getLastModifiedTime());

@@ -9,11 +9,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
-import java.util.Arrays;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -63,18 +59,18 @@ public final class StudentLoader extends ClassLoader {
 
     /** @return the text of each class of this thread's loader that a text names, and of each that such a class names */
     public static Map<String, String> namedIn(String text) {
-        Map<String, String> all = installed();
         Map<String, String> named = new TreeMap<>();
-        Deque<String> texts = new ArrayDeque<>(List.of(text));
-        while (!texts.isEmpty()) {
-            Set<String> used = new HashSet<>(Arrays.asList(texts.remove().split("\\P{javaJavaIdentifierPart}+")));
-            all.forEach((name, source) -> {
-                if (used.contains(name) && named.putIfAbsent(name, source) == null) {
-                    texts.add(source);
-                }
-            });
-        }
+        addNamed(text, installed(), named);
         return named;
+    }
+
+    private static void addNamed(String text, Map<String, String> all, Map<String, String> named) {
+        List<String> used = List.of(text.split("\\P{javaJavaIdentifierPart}+"));
+        all.forEach((name, source) -> {
+            if (used.contains(name) && named.putIfAbsent(name, source) == null) {
+                addNamed(source, all, named);
+            }
+        });
     }
 
     /**
@@ -120,12 +116,11 @@ public final class StudentLoader extends ClassLoader {
             compile(source, sources.get());
         }
         if (!compiled.containsKey(name)) {
-            String bare = name.replace(PACKAGE + ".", "");
-            if (bare.contains("$")) {
+            if (name.contains("$")) {
                 throw new ClassNotFoundException(name);
             }
             throw new IllegalArgumentException(source + JAVA + ": it has to begin with 'package exercises;', and its"
-                    + " class has to be called " + bare + ", as the file is");
+                    + " class has to be called " + source + ", as the file is");
         }
         byte[] bytes = compiled.get(name).toByteArray();
         return defineClass(name, bytes, 0, bytes.length);
