@@ -153,13 +153,17 @@ record Submission(String name, Map<String, String> files, List<String> damaged, 
     private void zip(Path file) throws IOException {
         try (ZipFile zip = opened(file.toFile())) {
             for (ZipEntry entry : zip.stream().filter(entry -> !entry.isDirectory()).toList()) {
-                byte[] start = zip.getInputStream(entry).readNBytes(LARGEST);
-                CRC32 sum = new CRC32();                // ZipFile does not check it
-                sum.update(start);
-                if (start.length < LARGEST && sum.getValue() != entry.getCrc()) {
-                    throw new IOException(entry.getName() + " is damaged");
+                try (InputStream bytes = zip.getInputStream(entry)) {
+                    byte[] start = bytes.readNBytes(LARGEST);
+                    CRC32 sum = new CRC32();            // ZipFile does not check it
+                    sum.update(start);
+                    if (start.length < LARGEST && sum.getValue() != entry.getCrc()) {
+                        throw new IOException("it is damaged");
+                    }
+                    add(entry.getName(), new ByteArrayInputStream(start), entry.getLastModifiedTime());
+                } catch (IOException e) {
+                    damaged.add(entry.getName() + ": " + e.getMessage());
                 }
-                add(entry.getName(), new ByteArrayInputStream(start), entry.getLastModifiedTime());
             }
         }
     }

@@ -78,7 +78,7 @@ class SubmissionTest {
         int digit = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("2: 1");
         bytes[digit] = '3';
         Submission read = zipped(folder, bytes);
-        assertEquals(List.of(Map.of(), List.of("ann.zip: answers.yaml is damaged")), List.of(read.files(),
+        assertEquals(List.of(Map.of(), List.of("answers.yaml: it is damaged")), List.of(read.files(),
                 read.damaged()));
     }
 
