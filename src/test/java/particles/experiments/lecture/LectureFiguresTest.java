@@ -12,10 +12,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
 import particles.view.Chart;
+import particles.view.DataTable;
 import particles.view.Look;
 import particles.view.Series;
 import particles.view.VectorField;
-import particles.view.DataTable;
 
 class LectureFiguresTest {
     private static final List<Result> RESULTS = LectureFigures.ON_SLIDES.stream().map(LectureFigures::run).toList();
