@@ -28,6 +28,8 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
         LINE,
         /** A wide pale line, below others that may run along it. */
         BAND,
+        /** Wide pale stripes that touch: an area. */
+        FILL,
         /** Points without a line. */
         POINTS,
         /** Hollow points without a line. */
@@ -47,7 +49,12 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
 
         /** @return whether it is a curve, which can have its name at its end */
         public boolean isCurve() {
-            return this == LINE || this == LINE_AND_POINTS || this == LINE_AND_OPEN_POINTS;
+            return this == LINE || this == BAND || this == LINE_AND_POINTS || this == LINE_AND_OPEN_POINTS;
+        }
+
+        /** @return whether it is wide and pale, with everything else on top */
+        public boolean isWide() {
+            return this == BAND || this == FILL;
         }
 
         /** @return whether it shows a part of a curve again, which has the name */

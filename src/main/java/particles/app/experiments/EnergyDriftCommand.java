@@ -50,8 +50,10 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                         The size of the energy error over time. At the curves: an error that drifts, at the end; the \
                         largest size of any other. A cross marks a run that ended early.""",
                         Panel.of(title, List.of(DriftCharts.sizes(comparison)))).first(SHOWN),
-                        Picture.of("energy-drift-energy-error", "The energy error over time, while it is less than"
-                        + " 10 %.", Panel.of(title, List.of(DriftCharts.small(comparison)))).first(SHOWN)),
+                        Picture.of("energy-drift-energy-error",
+                                "The energy error over time, while it is less than 10 %.",
+                                Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison))))
+                                .first(SHOWN)),
                 List.of(DriftCharts.table(comparison)));
     }
 }

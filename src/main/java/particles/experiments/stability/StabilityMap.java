@@ -21,8 +21,8 @@ public final class StabilityMap {
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
-    /** So many stripes, or more, fill the upper half of a chart; they touch. */
-    private static final int STRIPES = 50;
+    /** So many stripes, or more, fill the upper half of a chart: two for the width of one, so that no gap shows. */
+    private static final int STRIPES = 100;
 
     private final DoubleBinaryOperator modulus;
     private final Window window;
@@ -106,7 +106,7 @@ public final class StabilityMap {
                 draw(List.of(new double[] {ends.get(i), y}, new double[] {ends.get(i + 1), y}), line);
             }
         }
-        return Series.of(look, "stable", Mark.BAND, line);
+        return Series.of(look, "stable", Mark.FILL, line);
     }
 
     private boolean isStableAtLeft(double y) {

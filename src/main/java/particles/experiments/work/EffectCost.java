@@ -214,7 +214,7 @@ public final class EffectCost {
         }
         return Panel.of("A step of cloth with one effect or rule more", List.of(new Chart(
                 Axis.log("time for a step / time with springs alone", ""), Axis.linear("what the scene names", ""),
-                List.of(Series.of(Look.OWN, "time for a step", Mark.BAND, lines))).inRows(bars.stream()
+                List.of(Series.of(Look.OWN, "time for a step", Mark.FILL, lines))).inRows(bars.stream()
                 .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList())));
     }
 

@@ -58,7 +58,7 @@ final class ChartPlot extends XYPlot {
 
     /** Through dashes the line below is seen; marks are on top. */
     private static int layer(Series series) {
-        return series.mark() == Mark.BAND ? 0 : !series.mark().isCurve() ? 3 : series.look().variant() == 0 ? 1 : 2;
+        return series.mark().isWide() ? 0 : !series.mark().isCurve() ? 3 : series.look().variant() == 0 ? 1 : 2;
     }
 
     /** The range of the values that an axis shows; null if there are none, as JFreeChart expects. */

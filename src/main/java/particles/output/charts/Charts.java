@@ -122,7 +122,7 @@ final class Charts {
             ChartDataset data = (ChartDataset) plot.getDataset();
             for (int k = 0; k < data.getSeriesCount(); k++) {
                 Series series = data.series(k);
-                boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.BAND;    // the axis names it
+                boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.FILL;    // the axis names it
                 if (!plot.ends.labelled.contains(k) && !series.mark().isDetail() && !onlyOne && series.x().length > 0
                         && named.add(List.of(series.name(), series.mark().isCurve()))) {
                     items.add(plot.getRenderer().getLegendItem(0, k));

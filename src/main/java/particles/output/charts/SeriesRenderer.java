@@ -39,11 +39,11 @@ final class SeriesRenderer {
             Color colour = format.on(new Color((failed ? Look.FAILURE : looks.get(k)).rgb()));
             Color ground = format.on(Color.WHITE);
             int variant = looks.get(k).variant();
-            renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.BARS || mark == Mark.BAND);
-            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
-            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
+            renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.BARS || mark == Mark.FILL);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && !mark.isWide());
+            renderer.setSeriesPaint(k, dense || mark.isWide() ? ChartStyle.pale(colour) : colour);
             renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
-                    : mark == Mark.BAND ? ChartStyle.BAND : ChartStyle.stroke(variant));
+                    : mark.isWide() ? ChartStyle.BAND : ChartStyle.stroke(variant));
             renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
                     : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : ChartStyle.shape(variant));
             renderer.setSeriesFillPaint(k, open ? ground : colour);

@@ -25,7 +25,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<Panel> region) {
     /** So far is shown of a plane where all limits are unbounded or 0. */
     private static final double EMPTY = 3.2;
     private static final double MARGIN = 1.3;
-    private static final int CELLS = 80;
+    private static final int CELLS = 128;
     /** The growth over many steps is measured at each point of the grid. */
     private static final int FEW_CELLS = 48;
     private static final String REAL = "real limit: largest stable deltaT |lambda|";

@@ -269,6 +269,19 @@ class ChartsTest {
         assertEquals(1, page.texts().stream().filter(text -> text.text().equals("mine  2 s")).count());
     }
 
+    /** A band is a line as well, an area is not. */
+    @Test
+    void aBandIsNamedAtItsEndAndAnAreaInTheLegend() {
+        JFreeChart chart = drawn(chart(true, new Series(Look.OWN, "mine", Mark.BAND, new double[] {1, 2},
+                new double[] {1, 1}), new Series(Look.OWN, "stable", Mark.FILL, new double[] {1, 2},
+                new double[] {1, 1})));
+        List<ChartPlot> plots = Charts.plots(chart);
+        assertEquals(List.of("mine"), plots.get(0).ends.labelled.stream().map(k -> ((ChartDataset) plots.get(0)
+                .getDataset()).series(k).name()).toList());
+        assertEquals("stable", Charts.legend(plots, ChartFormat.PAGE).getSources()[0].getLegendItems().get(0)
+                .getLabel());
+    }
+
     @Test
     void exponentsHaveOneStyleOnAllAxes() {
         assertEquals(List.of("100", "0.01", "1e-6", "1e7", "0"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7, 0)
