@@ -75,10 +75,10 @@ record Marking(Assignment assignment, Optional<String> numbers, Submission handI
         });
         Map<String, String> sources = handIn.sources();
         assignment.solvers(sources.keySet()).forEach((name, asked) -> items.add(check(sources, "solver", name,
-                new Check(CheckSolverCommand.NAME, "exercises." + name, asked.method(), ChartFormat.PAGE),
+                new Check(CheckSolverCommand.NAME, "exercises." + name, asked.method()),
                 asked.weight())));
         assignment.effects().forEach((name, weight) -> items.add(check(sources, "effect", name, new Check(
-                CheckEffectCommand.NAME, "exercises." + name, "", ChartFormat.PAGE), weight)));
+                CheckEffectCommand.NAME, "exercises." + name, ""), weight)));
         return items;
     }
 

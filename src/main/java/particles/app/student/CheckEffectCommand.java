@@ -9,7 +9,6 @@ import java.util.stream.Collectors;
 import particles.app.student.Check.Checked;
 import particles.law.Effect;
 import particles.law.Particles;
-import particles.output.charts.ChartFormat;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
@@ -34,7 +33,7 @@ public final class CheckEffectCommand extends CheckCommand {
 
     @Override
     Check check() {
-        return new Check(NAME, effect, "", ChartFormat.PAGE);
+        return new Check(NAME, effect, "");
     }
 
     /** Checks the effect of this name or class; runs its code. */

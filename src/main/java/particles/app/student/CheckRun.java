@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.student.Check.Checked;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.files.StopHook;
@@ -52,7 +53,7 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         try (OutputFolder files = OutputFolder.open(folder)) {
             new ResultPage(check.command(), checked.subject() + ": " + checked.identity(), checked.lines().stream()
                     .map(line -> "- " + line).toList(), checked.pictures(), checked.tables()).write(files,
-                    check.format().quick());
+                    ChartFormat.PAGE.quick());
             lines = lines(checked, report);
         } catch (OutputException e) {
             lines = List.of(e.getMessage());
@@ -64,10 +65,9 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
 
     /** The output on the screen: the verdict, mistakes and notes, the numbers, and the report. */
     private static List<String> lines(Checked checked, Path report) {
-        return Stream.of(Stream.of(checked.subject() + ": " + (checked.identity().equals(Checked.NOT_CHECKED) ? ""
-                : verdict(checked.findings())) + checked.identity()), checked.lines().stream(),
-                checked.tables().stream().flatMap(table -> TableText.plain(table).stream()), Stream.of("report: "
-                + report)).flatMap(lines -> lines).toList();
+        return Stream.of(Stream.of(checked.subject() + ": " + verdict(checked.findings()) + checked.identity()),
+                checked.lines().stream(), checked.tables().stream().flatMap(table -> TableText.plain(table).stream()),
+                Stream.of("report: " + report)).flatMap(lines -> lines).toList();
     }
 
     private static String verdict(List<Finding> findings) {

@@ -5,10 +5,8 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import particles.app.cli.ChartOptions;
 import particles.app.student.Check.Checked;
 import particles.output.report.Picture;
 import particles.spec.messages.Wording;
@@ -19,7 +17,6 @@ import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: identifies a solver's method and finds its mistakes. */
@@ -37,15 +34,12 @@ public final class CheckSolverCommand extends CheckCommand {
             description = "The method that it has to be, such as heun (default: the one that its name declares).")
     private String method = AskedMethods.ANY;
 
-    @Mixin
-    private final ChartOptions charts = new ChartOptions();
-
     @Override
     Check check() {
         if (!AskedMethods.NAMES.contains(method)) {
             throw wrong("method", Wording.unknown("method", method, AskedMethods.NAMES, List.of()));
         }
-        return new Check(NAME, solver, method, charts.format());
+        return new Check(NAME, solver, method);
     }
 
     /** Checks the solver of this name or class, which has to be a method; runs its code. */
@@ -64,23 +58,23 @@ public final class CheckSolverCommand extends CheckCommand {
             return new Checked(subject, e);
         }
         SolverVerdict verdict = AskedMethods.check(maker, name, method);
-        if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
+        List<Finding> findings = new ArrayList<>(verdict.findings());
+        boolean right = verdict.wrong().isEmpty();
+        if (right && PlainRuns.differ(run -> SolverCheck.check(() -> {
             run.run();
             throw new IllegalStateException();          // the check itself is not wanted
         }, name), before -> PlainRuns.solver(maker, before))) {
-            return new Checked(name, verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                    "outside this check, or after many steps, its steps differ from those in this check")));
+            findings.add(new Finding(Kind.FAILURE,
+                    "outside this check, or after many steps, its steps differ from those in this check"));
         }
-        List<Finding> findings = new ArrayList<>(verdict.findings());
-        Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();
-        if (wrong.filter(Set.of(Kind.FAILURE, Kind.UNWRITTEN)::contains).isPresent()) {
+        if (findings.stream().map(Finding::kind).anyMatch(Set.of(Kind.FAILURE, Kind.UNWRITTEN)::contains)) {
             return new Checked(name, verdict.identity(), findings);
         }
         SolverFigures figures;
         try {
             figures = SolverFigures.of(SolverCatalog.names().contains(subject) ? subject : name, maker, verdict);
         } catch (RuntimeException e) {                  // of the class itself; still report the findings
-            if (wrong.isEmpty()) {                      // otherwise it follows from a mistake already reported
+            if (right) {                                // otherwise it follows from a mistake already reported
                 findings.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
                         + StudentFailure.describe(e)));
             }

@@ -22,20 +22,17 @@ public abstract class NewClassCommand extends ProgramCommand {
 
     private final Path folder;
     private final String skeleton;
-    private final String check;
-    private final String use;
+    private final String hints;
 
     /**
      * @param folder   the folder of students' classes
      * @param skeleton the text of the class, with NAME for its name
-     * @param check    the command that checks such a class, with %s for its full name
-     * @param use      the way to use it, likewise
+     * @param hints    how to check the class, and how to use it, likewise
      */
-    NewClassCommand(Path folder, String skeleton, String check, String use) {
+    NewClassCommand(Path folder, String skeleton, String hints) {
         this.folder = folder;
         this.skeleton = skeleton;
-        this.check = check;
-        this.use = use;
+        this.hints = hints;
     }
 
     @Override
@@ -53,8 +50,7 @@ public abstract class NewClassCommand extends ProgramCommand {
                     + " exists already and was not changed; choose another name or remove it first");
         }
         out.println("written: " + file);
-        out.println("to check it: " + check.formatted("exercises." + name));
-        out.println("to use it: " + use.formatted("exercises." + name));
+        out.print(hints.replace("NAME", name));
     }
 
     /** {@code gradle newSolver}: writes the skeleton of a solver, as on the slides. */
@@ -86,7 +82,10 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         /** @param folder the folder of students' classes */
         public NewSolver(Path folder) {
-            super(folder, SKELETON, "gradle checkSolver -Psolver=%s", "gradle run -Pscene=2 -Psolver=%s");
+            super(folder, SKELETON, """
+                    to check it: gradle checkSolver -Psolver=exercises.NAME
+                    to use it: gradle run -Pscene=2 -Psolver=exercises.NAME
+                    """);
         }
     }
 
@@ -149,8 +148,10 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         /** @param folder the folder of students' classes */
         public NewEffect(Path folder) {
-            super(folder, SKELETON, "gradle checkEffect -Peffect=%s",
-                    "in a scene, under effects:  - %s: {strength: 2}");
+            super(folder, SKELETON, """
+                    to check it: gradle checkEffect -Peffect=exercises.NAME
+                    to use it: in a scene, under effects:  - exercises.NAME: {strength: 2}
+                    """);
         }
     }
 }

@@ -57,20 +57,9 @@ public final class StudentLoader extends ClassLoader {
                 : Map.of();
     }
 
-    /** @return the text of each class of this thread's loader that a text names, and of each that such a class names */
+    /** @return the text of each class of this thread's loader, if a text names one of them */
     public static Map<String, String> namedIn(String text) {
-        Map<String, String> named = new TreeMap<>();
-        addNamed(text, installed(), named);
-        return named;
-    }
-
-    private static void addNamed(String text, Map<String, String> all, Map<String, String> named) {
-        List<String> used = List.of(text.split("\\P{javaJavaIdentifierPart}+"));
-        all.forEach((name, source) -> {
-            if (used.contains(name) && named.putIfAbsent(name, source) == null) {
-                addNamed(source, all, named);
-            }
-        });
+        return text.contains(PACKAGE + ".") ? installed() : Map.of();
     }
 
     /**

@@ -17,7 +17,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import particles.app.cli.ExitCode;
-import particles.app.cli.OptionStyle;
 import particles.output.files.TemporaryFolder;
 import particles.spec.Digest;
 
@@ -30,8 +29,8 @@ public final class StudentProcess {
     private static final int SIGNAL = 128;
     private static final int SECRET = 32;
     private static final String END = "\0";
-    /** Where the classes begin, after the secret, the folder and the words of the check. */
-    private static final int CLASSES = 8;
+    /** Where the classes begin, after the secret, the folder and the check. */
+    private static final int CLASSES = 5;
     private static final int LONGEST = 1 << 20;
 
     private StudentProcess() {
@@ -84,8 +83,8 @@ public final class StudentProcess {
         byte[] random = new byte[SECRET];
         new SecureRandom().nextBytes(random);
         Secret secret = new Secret(HexFormat.of().formatHex(random));
-        List<String> input = new ArrayList<>(List.of(secret.key(), folder.toString()));
-        input.addAll(check.words());
+        List<String> input = new ArrayList<>(List.of(secret.key(), folder.toString(), check.command(), check.subject(),
+                check.method()));
         sources.forEach((name, text) -> input.addAll(List.of(name, text.replace(END, "?"))));    // no Java either way
         try (TemporaryFolder own = new TemporaryFolder("desolver-check")) {
             Path verdict = own.getPath().resolve("verdict");
@@ -114,7 +113,7 @@ public final class StudentProcess {
             sources.put(input.get(i), input.get(i + 1));
         }
         new StudentLoader(() -> sources).install();
-        new CheckRun(Check.of(input.subList(2, CLASSES)), Path.of(input.get(1)),
+        new CheckRun(new Check(input.get(2), input.get(3), input.get(4)), Path.of(input.get(1)),
                 (code, report) -> end(Path.of(args[0]), secret, code, report)).run();
     }
 
@@ -138,8 +137,7 @@ public final class StudentProcess {
                 "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
                 "-XX:+IgnoreUnrecognizedVMOptions", "-XX:+UnlockDiagnosticVMOptions",
                 "-XX:-BytecodeVerificationRemote", "-Djava.awt.headless=true",
-                "-D" + OptionStyle.STARTED_BY + "=" + System.getProperty(OptionStyle.STARTED_BY, ""), "-cp",
-                System.getProperty("java.class.path"), StudentProcess.class.getName(), verdict.toString());
+                "-cp", System.getProperty("java.class.path"), StudentProcess.class.getName(), verdict.toString());
     }
 
     /** @return the outcome of a process that did not end by itself */

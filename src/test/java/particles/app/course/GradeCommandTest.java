@@ -150,7 +150,7 @@ class GradeCommandTest {
                 "'kg' after the number is not understood: the answer is wanted in m/s",
                 "| solver GoodSolver | 1 | 1 | GoodSolver: right. This is the Euler m",
                 " / order, measured ", "report: GoodSolver/checkSolver.md |",
-                "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. / WRONG, f",
+                "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: wrong. It cannot be checked. / WRONG, f",
                 "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx",
                 "| solver WrongSolver | 0 | 1 | WrongSolver: ");
         assertEquals(Exercises.ALL.size() + 3,

@@ -138,7 +138,7 @@ class SweepCommandTest {
         sweepOver(1, ExitCode.DONE, "set", Stream.of("--scene=" + scene, "--set=deltaT=0.01"));
     }
 
-    /** A class that the effect names decides too. */
+    /** A class that the effect names decides, too; without a class of one's own, none does. */
     @Test
     void rowsDependOnTheSourcesOfOwnClasses() throws IOException {
         Path folder = Files.createDirectories(top.resolve("exercises"));
@@ -149,7 +149,6 @@ class SweepCommandTest {
                     static final double FORCE = 1;
                 }
                 """);
-        Files.writeString(folder.resolve("Unused.java"), "package exercises; class Unused { }");
         Files.writeString(folder.resolve("Pusher.java"), PUSHER);
         Path scene = Files.writeString(top.resolve("scene.yaml"), """
                 title: A test
@@ -163,14 +162,16 @@ class SweepCommandTest {
                   - exercises.Pusher
                 """);
         assertEquals(0.5, pushed(folder, scene), 1e-12);
-        Files.writeString(folder.resolve("Unused.java"), "package exercises; final class Unused { }");
-        assertEquals(0.5, pushed(folder, scene), 1e-12);
-        try (Stream<Path> files = Files.list(top.resolve("pushed"))) {
-            assertEquals(1, files.filter(file -> file.getFileName().toString().startsWith("rows-")).count());
-        }
+        Path none = Files.writeString(top.resolve("none.yaml"), Files.readString(scene).replace("exercises.Pusher",
+                "gravity"));
+        assertEquals(0, pushed(folder, none), 1e-12);
         Files.writeString(folder.resolve("Push.java"), Files.readString(folder.resolve("Push.java"))
                 .replace("= 1", "= 3"));
         assertEquals(1.5, pushed(folder, scene), 1e-12);
+        assertEquals(0, pushed(folder, none), 1e-12);
+        try (Stream<Path> files = Files.list(top.resolve("pushed"))) {
+            assertEquals(3, files.filter(file -> file.getFileName().toString().startsWith("rows-")).count());
+        }
     }
 
     private double pushed(Path folder, Path scene) throws IOException {

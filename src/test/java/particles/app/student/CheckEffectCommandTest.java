@@ -20,7 +20,6 @@ import particles.law.Effect;
 import particles.law.ParticleForce;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.output.charts.ChartFormat;
 import particles.spec.Values;
 
 /** The check of a force law through the program: its screen, its report, and classes that do not come back. */
@@ -77,7 +76,7 @@ class CheckEffectCommandTest {
     }
 
     private static String here(ExitCode expected, String effect, Path folder) {
-        return Checks.here(expected, new Check(CheckEffectCommand.NAME, effect, "", ChartFormat.PAGE), folder);
+        return Checks.here(expected, new Check(CheckEffectCommand.NAME, effect, ""), folder);
     }
 
     @Test
@@ -102,7 +101,7 @@ class CheckEffectCommandTest {
     @ParameterizedTest
     @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
-        String found = Checks.failureOf(new Check(CheckEffectCommand.NAME, planted.getName(), "", ChartFormat.PAGE),
+        String found = Checks.failureOf(new Check(CheckEffectCommand.NAME, planted.getName(), ""),
                 planted, folder);
         assertMatches(found, "failure: the class ends the whole program .System.exit., in "
                 + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java");

@@ -21,7 +21,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
-import particles.output.charts.ChartFormat;
 import particles.teaching.GuardedRun;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
@@ -156,7 +155,7 @@ class CheckSolverCommandTest {
     }
 
     private static Check check(String solver) {
-        return new Check(CheckSolverCommand.NAME, solver, AskedMethods.ANY, ChartFormat.PAGE);
+        return new Check(CheckSolverCommand.NAME, solver, AskedMethods.ANY);
     }
 
     private static String here(ExitCode expected, String solver, Path folder) {
@@ -186,13 +185,10 @@ class CheckSolverCommandTest {
     }
 
     @Test
-    void theMethodAskedForAndTheFormatOfChartsReachTheCheck(@TempDir Path folder) throws IOException {
+    void theMethodAskedForReachesTheCheck(@TempDir Path folder) {
         String screen = Screen.of(ExitCode.BAD_INPUT, List.of(new CheckSolverCommand()), OptionStyle.SHELL,
-                "checkSolver", "--solver=" + Refuses.class.getName(), "--method=rk4", "--slide", "--svg", "--out="
-                + folder);
+                "checkSolver", "--solver=" + Refuses.class.getName(), "--method=rk4", "--out=" + folder);
         assertHas(screen, "PROMISE, name: this is the Euler method and not RK4, the classical Runge-Kutta method");
-        assertStarts(Files.readString(folder.resolve("order.svg")), "<");
-        assertTrue(Files.exists(folder.resolve("slides.pdf")), "slides");
     }
 
     @Test

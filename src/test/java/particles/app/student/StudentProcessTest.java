@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.ExitCode;
-import particles.output.charts.ChartFormat;
 
 /** A check's process cannot make up its own verdict. */
 class StudentProcessTest {
@@ -22,18 +21,6 @@ class StudentProcessTest {
                 bytes(wrong + "\nDONE"), bytes("DONE\nDONE\na line"), new byte[0])) {
             assertEquals(ExitCode.BAD_INPUT, secret.read(forged).code());
         }
-    }
-
-    @Test
-    void aCheckArrivesAsItWasSent() {
-        List<ChartFormat> formats = List.of(ChartFormat.PAGE, new ChartFormat(true, false, false),
-                new ChartFormat(false, true, false), new ChartFormat(false, false, true));
-        for (ChartFormat format : formats) {
-            Check check = new Check(CheckSolverCommand.NAME, "My", "", format);
-            assertEquals(check, Check.of(check.words()));
-        }
-        Check effect = new Check(CheckEffectCommand.NAME, "My", "", ChartFormat.PAGE);
-        assertEquals(effect, Check.of(effect.words()));
     }
 
     private static byte[] bytes(String text) {
