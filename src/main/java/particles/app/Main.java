@@ -39,7 +39,6 @@ import particles.app.run.StopRequest;
 import particles.app.student.CheckEffectCommand;
 import particles.app.student.CheckSolverCommand;
 import particles.app.student.ExerciseCommand;
-import particles.app.student.ExercisesCommand;
 import particles.app.student.NewClassCommand;
 import particles.app.student.StudentLoader;
 import particles.output.files.OutputException;
@@ -99,8 +98,8 @@ public final class Main {
         commands.addAll(List.of(new SweepCommand(), new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
-                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(Path.of("."), exercises()),
-                new GradeClassCommand(), new SheetsCommand(), new AutogradingCommand()));
+                new ExerciseCommand(), new GradeCommand(Path.of("."), exercises()), new GradeClassCommand(),
+                new SheetsCommand(), new AutogradingCommand()));
         return commands;
     }
 

@@ -134,7 +134,7 @@ class FaultsTest {
 
     /** The other side of the pipe has gone before the first line, as head does after its lines. */
     @ParameterizedTest
-    @ValueSource(strings = {"scenes", "solvers", "exercises", "--help", "checkSolver --solver=rk4", "run"})
+    @ValueSource(strings = {"scenes", "solvers", "exercise", "--help", "checkSolver --solver=rk4", "run"})
     void aPipeThatNobodyReadsIsNoFault(String command) throws Exception {
         assumeTrue(Files.exists(Path.of("/dev/stdout")), "needs pipes with names");
         String[] args = (command.equals("run") ? "run --scene=" + scene(SHORT) + " --out=" + out : command).split(" ");

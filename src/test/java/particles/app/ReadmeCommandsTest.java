@@ -47,7 +47,7 @@ class ReadmeCommandsTest {
     private static final Map<String, ExitCode> FAST = Map.of(
             "gradle scenes", ExitCode.DONE,
             "gradle solvers", ExitCode.DONE,
-            "gradle exercises", ExitCode.DONE,
+            "gradle exercise", ExitCode.DONE,
             "gradle gradeClass -Pfolder=submissions", ExitCode.BAD_INPUT,       // there is no such folder
             "gradle exercise -Pnumber=1 -Pstudent=ID", ExitCode.DONE,
             "gradle exercise -Pnumber=5 -Pstudent=ID", ExitCode.DONE,

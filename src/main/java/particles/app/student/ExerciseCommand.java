@@ -12,15 +12,16 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the
- * mark.
+ * {@code gradle exercise}: the list of exercises; with {@code -Pnumber=5 -Pstudent=ID} the text of one with the student's
+ * own numbers, and with {@code -Panswer} the mark.
  */
-@Command(name = "exercise", description = "Shows an exercise with numbers of your own, or marks your answer.")
+@Command(name = "exercise",
+        description = "Lists the exercises, shows one with numbers of your own, or marks your answer.")
 public final class ExerciseCommand extends ProgramCommand {
-    @Option(names = "--number", paramLabel = "NUMBER", required = true, description = "Which exercise.")
-    private int number;
+    @Option(names = "--number", paramLabel = "NUMBER", description = "Which exercise (default: a list of all).")
+    private Optional<Integer> number;
 
-    @Option(names = "--student", paramLabel = "ID", required = true,
+    @Option(names = "--student", paramLabel = "ID", defaultValue = "",
             description = "Your id, from which your numbers come.")
     private String student;
 
@@ -30,11 +31,16 @@ public final class ExerciseCommand extends ProgramCommand {
 
     @Override
     public void run(PrintWriter out) {
-        requireWithin("number", number, 1, Exercises.ALL.size());
-        Exercise exercise = Exercises.ALL.get(number - 1);
-        Draw draw = made("student", () -> new Draw(student, number));
+        int chosen = number.orElse(0);
+        if (number.isEmpty() && answer.isEmpty()) {
+            Exercises.ALL.forEach(each -> out.printf("%2d  %s%n", Exercises.ALL.indexOf(each) + 1, each.title()));
+            return;
+        }
+        requireWithin("number", chosen, 1, Exercises.ALL.size());
+        Exercise exercise = Exercises.ALL.get(chosen - 1);
+        Draw draw = made("student", () -> new Draw(student, chosen));
         if (answer.isEmpty()) {
-            out.println(number + ". " + exercise.title());
+            out.println(chosen + ". " + exercise.title());
             out.println(exercise.text(draw));
             return;
         }

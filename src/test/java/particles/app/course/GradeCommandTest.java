@@ -24,7 +24,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.student.ExerciseCommand;
-import particles.app.student.ExercisesCommand;
 import particles.app.student.NewClassCommand;
 import particles.teaching.exercises.Exercises;
 
@@ -73,8 +72,7 @@ class GradeCommandTest {
     }
 
     private String run(ExitCode expected, String... args) {
-        return Screen.of(expected, List.of(new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(folder,
-                classes)),
+        return Screen.of(expected, List.of(new ExerciseCommand(), new GradeCommand(folder, classes)),
                 OptionStyle.GRADLE, args);
     }
 
@@ -91,8 +89,8 @@ class GradeCommandTest {
 
     @Test
     void theListHasTwelve() {
-        assertEquals(12, run(ExitCode.DONE, "exercises").lines().count());
-        assertHas(run(ExitCode.DONE, "exercises"), " 5  What midpoint costs against RK4");
+        assertEquals(12, run(ExitCode.DONE, "exercise").lines().count());
+        assertHas(run(ExitCode.DONE, "exercise"), " 5  What midpoint costs against RK4");
     }
 
     @Test
@@ -125,6 +123,7 @@ class GradeCommandTest {
             assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--number=" + none, "--student=a"),
                     "option -Pnumber: " + none + " has to be from 1 to 12");
         }
+        assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--answer=1", "--student=a"), "option -Pnumber: ");
         assertEquals("option -Pstudent: a student's id has to have something in it", run(ExitCode.BAD_INPUT, "exercise",
                 "--number=1", "--student= ").strip());
         assertEquals("option -Pstudent: the id is empty", run(ExitCode.BAD_INPUT, "grade", "--student= ").strip());
