@@ -178,6 +178,11 @@ record ClassList(List<String> head, Map<String, Student> students, List<String> 
         return meant.stream().findFirst().filter(only -> meant.size() == 1);
     }
 
+    /** @return the id of the {@link #owner}; without a list, Moodle's number or the name of the hand-in */
+    Optional<String> id(String handIn) {
+        return this == NONE ? Optional.of(Submission.id(handIn)) : owner(handIn).map(Student::id);
+    }
+
     /** @return the student of this id; of one who is not in the list, nothing but the id is known */
     Student student(String id) {
         return students.getOrDefault(fold(id), new Student(id, "", "", "", List.of(), List.of()));

@@ -92,10 +92,8 @@ final class ClassTables {
             files.write(WORKSHEET, CSVFormat.DEFAULT.format(list.head().toArray()) + "\n" + list.students().values()
                     .stream().map(this::graded).collect(Collectors.joining()));
         }
-        return Stream.concat(results.stream().filter(result -> result.state() != State.MARKED).map(result ->
-                result.state().words() + ": " + result.student() + result.problems().stream().map(line -> ", " + line)
-                .collect(Collectors.joining())), Stream.of(results.size() + " students; table: " + files.getPath()
-                .resolve("class.html"))).toList();
+        return Stream.concat(results.stream().filter(result -> result.state() != State.MARKED).map(Result::reason),
+                Stream.of(results.size() + " students; table: " + files.getPath().resolve("class.html"))).toList();
     }
 
     /** A student's line of Moodle's grading worksheet; where there are no marks, the grade is left as it is. */

@@ -17,7 +17,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
-import particles.app.course.Result.State;
 import particles.app.course.Result.Status;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -89,13 +88,13 @@ public final class GradeClassCommand extends ResultsCommand {
         }
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             List<Result> results = new ArrayList<>(source.folder.isPresent() ? marked(list, assignment, out)
-                    : collected(source.collect.orElseThrow(), list));
+                    : collected(assignment, list));
             Set<String> there = results.stream().map(result -> ClassList.fold(result.student())).collect(Collectors
                     .toSet());
             Submission nothing = new Submission("");
-            list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each -> Result.of(
-                    each.getValue().id(), State.NOTHING, nothing, "", List.of(), new Marking(assignment,
-                    Optional.empty(), nothing, getFolder()).items())).forEach(results::add);
+            Marking unmarked = new Marking(assignment, Optional.empty(), nothing, getFolder());
+            list.students().entrySet().stream().filter(each -> !there.contains(each.getKey())).map(each ->
+                    unmarked.result(Optional.of(each.getValue().id()))).forEach(results::add);
             new ClassTables(list, results).write(files).forEach(out::println);
         }
     }
@@ -106,18 +105,21 @@ public final class GradeClassCommand extends ResultsCommand {
     }
 
     /** Finds the results in a folder; a damaged one is a student's whose marks cannot be read. */
-    private static List<Result> collected(Path folder, ClassList list) throws IOException {
-        try (Stream<Path> all = Files.walk(folder)) {
+    private List<Result> collected(Assignment assignment, ClassList list) throws IOException {
+        try (Stream<Path> all = Files.walk(source.collect.orElseThrow())) {
             return all.filter(file -> file.endsWith(Result.FILE)).sorted().map(file -> Result.read(file).orElseGet(
                     () -> {
                         Submission handIn = new Submission(file.getParent().getFileName().toString());
-                        return Result.of(list.owner(handIn.name()).map(ClassList.Student::id).orElse(handIn.name()),
-                                State.UNREADABLE, handIn, "", List.of(file + " is damaged"), List.of());
+                        handIn.damaged().add(file + " is damaged");
+                        return new Marking(assignment, Optional.empty(), handIn, file).result(list.id(handIn.name()));
                     })).toList();
         }
     }
 
-    /** Reads all hand-ins of this part, and only then marks them, one on each core. */
+    /**
+     * Reads all hand-ins of this part, and only then marks them, one on each core. Of the same hand-in that was marked
+     * before, the result is kept.
+     */
     private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
         Function<String, Optional<String>> numbers = course.numbersOf(assignment);
         List<Map.Entry<String, List<Path>>> all = List.copyOf(Submission.list(source.folder.orElseThrow()).entrySet());
@@ -128,13 +130,11 @@ public final class GradeClassCommand extends ResultsCommand {
         try (Pipeline<Path> cores = new Pipeline<>(Runtime.getRuntime().availableProcessors(), this::getFolder)) {
             handIns.forEach(handIn -> cores.add(folder -> {
                 Path where = folder.resolve(handIn.folder());
-                Optional<String> owner = list == ClassList.NONE ? Optional.of(Submission.id(handIn.name()))
-                        : list.owner(handIn.name()).map(ClassList.Student::id);
-                State state = owner.isEmpty() ? State.WHOSE : handIn.damaged().isEmpty() ? State.MARKED
-                        : State.UNREADABLE;
-                Result result = state == State.MARKED ? marked(new Marking(assignment, numbers.apply(owner.get()),
-                        handIn, where), owner.get()) : Result.of(owner.orElse(handIn.name()), state, handIn, "",
-                        handIn.damaged(), List.of());
+                Optional<String> owner = list.id(handIn.name());
+                Marking marking = new Marking(assignment, owner.flatMap(numbers), handIn, where);
+                Result result = Result.read(where.resolve(Result.FILE)).filter(earlier -> earlier.student().equals(
+                        owner.orElse("")) && earlier.digest().equals(marking.digest()) && earlier.status()
+                        != Status.ERROR).orElseGet(() -> marking.result(owner));
                 write(where, result, out);              // at once, so that it counts after a stop
                 return () -> {
                     results.put(where, result);
@@ -145,13 +145,6 @@ public final class GradeClassCommand extends ResultsCommand {
         // once more: a class may have changed what was written
         results.forEach((where, result) -> write(where, result, out));
         return results.values();
-    }
-
-    /** Marks a hand-in, unless the same one was marked before; then that result is kept. */
-    private static Result marked(Marking marking, String student) {
-        return Result.read(marking.folder().resolve(Result.FILE)).filter(earlier -> earlier.student().equals(student)
-                && earlier.digest().equals(marking.digest()) && earlier.status() != Status.ERROR).orElseGet(() ->
-                marking.result(student));
     }
 
     private static void write(Path where, Result result, PrintWriter out) {

@@ -1,10 +1,13 @@
 package particles.app.course;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.Item;
+import particles.app.course.Result.State;
 import particles.app.course.Result.Status;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
@@ -33,9 +36,13 @@ public final class GradeCommand extends ResultsCommand {
             throw wrong("student", "the id is empty");
         }
         Assignment assignment = course.readAssignment();
-        Submission work = Submission.read("this project", folders);
+        Submission work = Submission.read("this project", folders.stream().filter(Files::isDirectory).toList());
         Result result = new Marking(assignment, course.numbersOf(assignment).apply(student), work, getFolder()).result(
-                student.strip());
+                Optional.of(student.strip()));
+        if (result.state() != State.MARKED) {
+            Marking.write(getFolder(), result);
+            throw new InvalidInputException(result.reason());
+        }
         result.problems().forEach(out::println);
         for (Item item : result.tests()) {
             out.println((!item.answered() ? "missing   " : switch (item.status()) {

@@ -50,13 +50,20 @@ record Marking(Assignment assignment, Optional<String> numbers, Submission handI
 
     /** @return the fingerprint of everything on which the result depends; dates of files are not in it */
     String digest() {
-        return Digest.of(Program.VERSION + assignment + numbers + handIn.files() + handIn.others());
+        return Digest.of(Program.VERSION + assignment + numbers + handIn.files() + handIn.others() + handIn.damaged());
     }
 
-    /** Marks the hand-in of a student. */
-    Result result(String student) {
-        return Result.of(student, State.MARKED, handIn, digest(), Stream.concat(handIn.remarks().stream(),
-                answers().problems().stream()).toList(), items());
+    /**
+     * Marks the hand-in.
+     *
+     * @param student the student's id; of a hand-in that is nobody's there are no marks, and none of a damaged one
+     */
+    Result result(Optional<String> student) {
+        State state = student.isEmpty() ? State.WHOSE : !handIn.damaged().isEmpty() ? State.UNREADABLE
+                : handIn.name().isEmpty() ? State.NOTHING : State.MARKED;
+        return Result.of(student.orElse(handIn.name()), state, handIn, digest(), state == State.MARKED
+                ? Stream.concat(handIn.remarks().stream(), answers().problems().stream()).toList() : handIn.damaged(),
+                state.compareTo(State.NOTHING) < 0 ? List.of() : items());
     }
 
     /** All marks: first the answers, then the classes, each of which runs in a process of its own. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.teaching.exercises.Draw;
 import particles.teaching.exercises.Exercise.Mark;
@@ -94,7 +95,8 @@ record Result(int version, Status status, double maxScore, List<Item> tests, Str
     /** A result of this program. */
     static Result of(String student, State state, Submission handIn, String digest, List<String> problems,
             List<Item> items) {
-        boolean decided = items.stream().noneMatch(item -> item.status == Status.ERROR);
+        boolean decided = state.compareTo(State.NOTHING) >= 0 && items.stream().noneMatch(item -> item.status
+                == Status.ERROR);
         return new Result(1, !decided ? Status.ERROR : items.stream().allMatch(item -> item.status == Status.PASS)
                 ? Status.PASS : Status.FAIL, items.stream().mapToDouble(Item::maxScore).sum(), items, student, state,
                 handIn.name(), handIn.newest(), digest, problems);
@@ -107,6 +109,11 @@ record Result(int version, Status status, double maxScore, List<Item> tests, Str
     /** @return the points in words, and whose they are */
     String summary() {
         return Draw.text(points()) + " of " + Draw.text(maxScore) + " points for " + student;
+    }
+
+    /** @return why there are no marks */
+    String reason() {
+        return state.words() + ": " + student + problems.stream().map(line -> ", " + line).collect(Collectors.joining());
     }
 
     /** @return the contents of the file */

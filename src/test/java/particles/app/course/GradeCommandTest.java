@@ -336,6 +336,25 @@ class GradeCommandTest {
         assertTrue(Files.exists(folder.resolve("report/grade.md")), "who hands in nothing gets a report too");
     }
 
+    /** What gradeClass cannot read has no marks here either, so that a student sees it before the hand-in. */
+    @Test
+    void aDamagedFileCostsTheMarksAsInAClass() throws Exception {
+        String assignment = assignment("exercises: {2: 1}\nsolvers: {}\n");
+        answer("2: " + spiral(run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT), 1));
+        assertHas(grade(ExitCode.DONE, assignment), "1 of 1 points");
+        Path handIn = Files.createDirectories(folder.resolve("class")).resolve(STUDENT);
+        Files.createDirectory(handIn);
+        Files.copy(folder.resolve("answers.yaml"), handIn.resolve("answers.yaml"));
+        for (Path place : List.of(folder, handIn)) {
+            Files.writeString(place.resolve("work.zip"), "no zip");
+        }
+        String screen = grade(ExitCode.BAD_INPUT, assignment);
+        assertTrue(screen.matches("cannot be read: " + STUDENT + ", work[.]zip: .*\\R"), screen);
+        assertHas(Files.readString(folder.resolve("report/grade.json")), "\"status\": \"error\"", "\"tests\": []");
+        assertHas(Screen.of(ExitCode.DONE, List.of(new GradeClassCommand()), OptionStyle.GRADLE, "gradeClass",
+                "--folder=" + handIn.getParent(), "--out=" + folder.resolve("marks"), assignment), screen.strip());
+    }
+
     /** A student may put a result where grade writes its own. */
     @Test
     void aResultThatIsThereAlreadyIsNotTaken() throws Exception {
