@@ -2,6 +2,7 @@ package particles.teaching.compared;
 
 import deSolvers.DEStateSource;
 import java.util.Arrays;
+import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
@@ -17,29 +18,29 @@ final class Changes {
 
     /** @return the schemes in which one row is another */
     static Stream<Scheme> each(Scheme s, IntFunction<Stream<double[]>> others) {
-        return IntStream.range(0, s.rows().size()).boxed().flatMap(r -> others.apply(r).map(row -> s.with(r, row)));
+        return IntStream.rangeClosed(0, s.size()).boxed().flatMap(r -> others.apply(r).map(row -> s.with(r, row)));
     }
 
-    /** @return the scheme in which the rows before one are others */
-    static Scheme rows(Scheme s, int to, IntFunction<double[]> others) {
+    /** @return the scheme in which the rows after the first one, up to before another one, are others */
+    static Scheme rows(Scheme s, int to, BiFunction<Scheme, Integer, double[]> others) {
         Scheme changed = s;
         for (int r = 1; r < to; r++) {
-            changed = changed.with(r, others.apply(r));
+            changed = changed.with(r, others.apply(changed, r));
         }
         return changed;
     }
 
     /** @return the schemes in which the increment of one row, of all trial states or of all rows is multiplied */
     static Stream<Scheme> increments(Scheme s, double factor) {
-        IntFunction<double[]> row = r -> scaled(s.rows().get(r), s.own(r) + 1, 99, factor);
-        return Stream.concat(each(s, r -> Stream.of(row.apply(r))), Stream.of(rows(s, s.size(), row), rows(s, s.rows()
-                .size(), row)));
+        return Stream.concat(each(s, r -> Stream.of(scaled(s.rows()[r], 1, 99, factor))), Stream.of(s.size(), s.size()
+                + 1).map(to -> rows(s, to, (all, r) -> scaled(all.rows()[r], 1, 99, factor))));
     }
 
-    /** @return these, and the schemes in which one weight, it and all after it, or a kick or drift is multiplied */
+    /** @return these, and the schemes in which some weights of a row, or a kick or drift, are multiplied */
     static Stream<Scheme> multiplied(Scheme s, double factor) {
-        return Stream.of(increments(s, factor), each(s, r -> IntStream.range(s.own(r), s.rows().get(r).length).boxed()
-                .flatMap(c -> Stream.of(c + 1, 99).map(to -> scaled(s.rows().get(r), c, to, factor)))), turns(s,
+        int width = s.rows()[0].length;
+        return Stream.of(increments(s, factor), each(s, r -> IntStream.range(0, width).boxed().flatMap(from -> Stream.of(
+                from + 1, s.first() + s.size(), width).map(to -> scaled(s.rows()[r], from, to, factor)))), turns(s,
                 factor)).flatMap(schemes -> schemes);
     }
 
@@ -52,40 +53,26 @@ final class Changes {
         return changed;
     }
 
-    static Stream<Integer> columns(Scheme s, int r) {
-        return IntStream.range(s.first(), s.first() + Math.min(r, s.size())).boxed();
-    }
-
-    /** @return the row with the weights of derivatives in other columns */
+    /** @return the row with the weights of derivatives given to other evaluations */
     static double[] moved(Scheme s, int r, IntUnaryOperator to) {
-        double[] row = s.rows().get(r);
-        double[] changed = Arrays.copyOf(row, Math.max(row.length, s.first() + Math.min(r, s.size())));
-        Arrays.fill(changed, Math.min(s.first(), row.length), changed.length, 0);
+        double[] row = s.rows()[r];
+        double[] changed = scaled(row, s.first(), row.length, 0);
         for (int c = s.first(); c < row.length; c++) {
-            changed[to.applyAsInt(c)] += row[c];
+            int evaluation = (c - s.first()) % s.size();
+            changed[c - evaluation + to.applyAsInt(evaluation)] += row[c];
         }
         return changed;
     }
 
     static double[] plus(double[] x, double[] y, double factor) {
-        double[] sum = Arrays.copyOf(x, Math.max(x.length, y.length));
-        IntStream.range(0, y.length).forEach(c -> sum[c] += factor * y[c]);
+        double[] sum = x.clone();
+        Arrays.setAll(sum, c -> x[c] + factor * y[c]);
         return sum;
     }
 
-    /** @return a row that begins at another state */
-    static double[] from(Scheme s, int r, double[] begin) {
-        double[] row = s.rows().get(r);
-        return plus(scaled(row, s.own(r), s.own(r) + 1, 0), begin, r > s.size() ? 0 : 1);
-    }
-
-    /** @return the scheme whose rows before one each begin at the one before */
-    static Scheme onAndOn(Scheme s, int to) {
-        Scheme changed = s;
-        for (int r = 1; r < to; r++) {
-            changed = changed.with(r, from(s, r, changed.rows().get(r - 1)));
-        }
-        return changed;
+    /** @return a row that begins at the state before and not at s */
+    static double[] onwards(Scheme s, int r) {
+        return plus(scaled(s.rows()[r], 0, 1, 0), s.rows()[r - 1], 1);
     }
 
     /** One kick or drift of turns, or all of them, are multiplied, and what comes later follows. */
@@ -93,9 +80,10 @@ final class Changes {
         if (!s.particles()) {
             return Stream.empty();
         }
-        double[] kicks = Arrays.copyOfRange(s.rows().get(s.size() + 1), 2, 2 + s.size());
-        double[] drifts = IntStream.rangeClosed(0, s.size()).mapToDouble(r -> s.rows().get(r)[1] - (r == 0 ? 0
-                : s.rows().get(r - 1)[1])).toArray();
+        int n = s.size();
+        double[] kicks = Arrays.copyOfRange(s.rows()[n], 2 + n, 2 + 2 * n);
+        double[] drifts = IntStream.rangeClosed(0, n).mapToDouble(r -> s.rows()[r][1] - (r == 0 ? 0
+                : s.rows()[r - 1][1])).toArray();
         return IntStream.range(0, drifts.length).boxed().flatMap(j -> Stream.of(j + 1, 99).flatMap(to -> Stream.of(
                 Scheme.turns(drifts, scaled(kicks, j, to, factor)), Scheme.turns(scaled(drifts, j, to, factor),
                 kicks))));

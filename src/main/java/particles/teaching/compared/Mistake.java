@@ -5,8 +5,8 @@ import static particles.teaching.compared.Changes.inTurn;
 import static particles.teaching.compared.Changes.moved;
 import static particles.teaching.compared.Changes.multiplied;
 
-import java.util.Arrays;
 import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.declared.Scheme;
 import particles.teaching.declared.Step;
@@ -18,17 +18,17 @@ public enum Mistake {
     WEIGHT("a sign or a factor is wrong", (s, h) -> Stream.of(-1.0, 0.0, 0.5, 2.0).flatMap(factor -> multiplied(s,
             factor))),
     NOT_SET("setState is missing before this getStateDerivative", (s, h) -> Stream.concat(each(s, r -> r == 0 || r
-            >= s.size() ? Stream.empty() : Stream.of(s.rows().get(r - 1))), Stream.of(Changes.rows(s, s.size(), r ->
-            s.rows().get(0))))),
+            == s.size() ? Stream.empty() : Stream.of(s.rows()[r - 1])), Stream.of(Changes.rows(s, s.size(), (all, r) ->
+            s.rows()[0])))),
     GOES_ON("it goes on from the state before and not from s (double[] trial = s makes no copy, s.clone() does)",
-            (s, h) -> Stream.concat(each(s, r -> r == 0 ? Stream.empty() : Stream.of(Changes.from(s, r, s.rows().get(
-            Math.min(r, s.size()) - 1)))), Stream.of(s.size(), s.size() + 1).map(to -> Changes.onAndOn(s, to)))),
+            (s, h) -> Stream.concat(each(s, r -> r == 0 ? Stream.empty() : Stream.of(Changes.onwards(s, r))), Stream.of(
+            s.size(), s.size() + 1).map(to -> Changes.rows(s, to, Changes::onwards)))),
     ONE_ARRAY("only the last derivative is in it: is one array used for all of them?",
-            (s, h) -> each(s, r -> Stream.of(moved(s, r, c -> s.rows().get(r).length - 1)))),
+            (s, h) -> each(s, r -> r == 0 ? Stream.empty() : Stream.of(moved(s, r, j -> Math.min(r, s.size()) - 1)))),
     LEFT_AT_TRIAL("the last trial state is left there: setState with the new state is missing at the end",
-            (s, h) -> Stream.of(s.with(s.size(), s.rows().get(s.size() - 1)))),
-    OTHER_SLOPE("another derivative stands in it", (s, h) -> each(s, r -> Changes.columns(s, r).flatMap(from ->
-            Changes.columns(s, r).map(to -> moved(s, r, c -> c == from ? to : c))))),
+            (s, h) -> Stream.of(s.with(s.size(), s.rows()[s.size() - 1]))),
+    OTHER_SLOPE("another derivative stands in it", (s, h) -> each(s, r -> stages(s, r).flatMap(from -> stages(s, r).map(
+            to -> moved(s, r, j -> j == from ? to : j))))),
     CLOCK("incTime has to move the clock there before the evaluation", (s, h) -> Changes.clocks(s)),
     BY_DELTA_T("deltaT is multiplied in twice, or not at all",
             (s, h) -> Stream.of(h, 1 / h).flatMap(factor -> multiplied(s, factor))),
@@ -46,6 +46,10 @@ public enum Mistake {
             Changes.drifted(s, 0, 0), Changes.drifted(s, 0, 0.5))),
     MEAN_VELOCITY("the position moves by deltaT times the mean of the old and the new velocity",
             (s, h) -> Stream.of(Changes.drifted(s, 0.5, 0)));
+
+    private static Stream<Integer> stages(Scheme s, int r) {
+        return IntStream.range(0, Math.min(r, s.size())).boxed();
+    }
 
     private final String label;
     private final BiFunction<Scheme, Double, Stream<? extends Step>> steps;
@@ -74,6 +78,6 @@ public enum Mistake {
      */
     public Stream<? extends Step> steps(Scheme method, double deltaT) {
         return steps.apply(method, deltaT).filter(step -> !(step instanceof Scheme changed) || changed.unlike(method)
-                >= 0 || !Arrays.equals(changed.times(), method.times()));
+                >= 0);
     }
 }

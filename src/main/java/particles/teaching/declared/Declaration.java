@@ -54,10 +54,4 @@ public record Declaration(Method method, boolean asked, boolean alone) {
     public boolean allows(Method known) {
         return known == method || !asked && method.mayBe(known) || !asked && !alone || method.isFamily();
     }
-
-    /** As above, of a method that may be unknown, and that uses earlier steps if it is a multistep method. */
-    public boolean allows(Optional<Method> known, boolean multistep) {
-        return asked ? !multistep || method == Method.MULTISTEP || known.filter(method::equals).isPresent()
-                : known.filter(one -> !allows(one)).isEmpty();
-    }
 }

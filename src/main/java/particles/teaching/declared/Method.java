@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  * <tr><td>RK4, RungeKutta4, ClassicalRungeKutta</td><td>order 4, such as the classical Runge-Kutta method</td></tr>
  * <tr><td>RK38, RungeKutta38, Kutta38, ThreeEighths</td><td>Kutta's 3/8 rule</td></tr>
  * <tr><td>Gill</td><td>Gill's method</td></tr>
- * <tr><td>RK5, RungeKutta5, DormandPrince5</td><td>order 5</td></tr>
+ * <tr><td>RK5, RungeKutta5, DormandPrince5, DoPri5</td><td>order 5</td></tr>
  * <tr><td>RK45, RKF45, Fehlberg, CashKarp, DormandPrince</td><td>order 4 or more</td></tr>
  * <tr><td>SymplecticEuler, SemiImplicitEuler, EulerCromer</td><td>symplectic Euler</td></tr>
  * <tr><td>Verlet, VelocityVerlet, PositionVerlet, Leapfrog</td><td>Verlet, of order 2</td></tr>
@@ -60,7 +60,7 @@ public enum Method {
     RK38("rk38", "Kutta's 3/8 rule", 4, names("rungekutta38", "kutta38", "threeeighths"), Scheme.rungeKutta(w(0.125,
             0.375, 0.375, 0.125), w(1.0 / 3),
             w(-1.0 / 3, 1), w(1, -1, 1))),
-    RK5("rk5", "a Runge-Kutta method of order 5", 5, names("rungekutta5", "dormandprince5")),
+    RK5("rk5", "a Runge-Kutta method of order 5", 5, names("rungekutta5", "dormandprince5", "dopri5")),
     RK45("rk45", "a Runge-Kutta method of order 4 or 5", 4, names("rkf45", "fehlberg", "cashkarp", "dormandprince")),
     SYMPLECTIC_EULER("symplectic-euler", "symplectic Euler, the slides' simple particle system algorithm", 1,
             names("semiimpliciteuler", "eulercromer"), Scheme.turns(w(0, 1), w(1)), Scheme.turns(w(1, 0), w(1))),
@@ -164,6 +164,11 @@ public enum Method {
     /** @return whether each step solves an equation for the new state */
     public boolean isImplicit() {
         return this == RADAU || equation.filter(one -> one.isImplicit() && !one.usesEarlier()).isPresent();
+    }
+
+    /** @return whether its steps use earlier ones */
+    public boolean usesEarlier() {
+        return this == MULTISTEP || equation.filter(Equation::usesEarlier).isPresent();
     }
 
     /** @return the words that declare it in the name of a class, in small letters without a space */

@@ -1,24 +1,22 @@
 package particles.teaching.declared;
 
 import deSolvers.DEStateSource;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Formula;
 
 /**
  * An explicit step as weights: where and when the derivatives are evaluated, and what the new state is.
  *
- * @param rows      the weights of s, then those of k1, k2, ..., which include deltaT: a row for the state of each
- *                  evaluation, then that of the new state. Of particles that move in turns, the weights of x, of
- *                  v deltaT, and of the accelerations in units of deltaT^2: a row for the position of each evaluation,
- *                  then that of the new position; at last that of the new velocity, with the accelerations in units of
- *                  deltaT
+ * @param rows      for the state of each evaluation, and then for the new one, the weights of s and of k1, k2, ...,
+ *                  which include deltaT; of particles that move in turns those of s, of v deltaT and a1 deltaT^2, a2
+ *                  deltaT^2, ..., which move positions, and of a1 deltaT, a2 deltaT, ..., which change velocities
  * @param times     the times of the evaluations since the step began, in units of deltaT
- * @param particles whether positions and velocities move in turns
+ * @param particles whether positions and velocities move in turns; laws without drag do not see trial velocities
  */
-public record Scheme(List<double[]> rows, double[] times, boolean particles) implements Step {
+public record Scheme(double[][] rows, double[] times, boolean particles) implements Step {
 
     /**
      * @param weights the weights of the new state
@@ -26,13 +24,15 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
      * @return a Runge-Kutta method
      */
     static Scheme rungeKutta(double[] weights, double[]... stages) {
-        List<double[]> rows = new ArrayList<>(List.of(new double[] {1}));
-        for (double[] row : stages) {
-            rows.add(row(1, row));
+        int n = weights.length;
+        double[][] rows = new double[n + 1][n + 1];
+        for (int r = 0; r <= n; r++) {
+            double[] row = r == 0 ? new double[0] : r < n ? stages[r - 1] : weights;
+            rows[r][0] = 1;
+            System.arraycopy(row, 0, rows[r], 1, row.length);
         }
-        double[] times = rows.stream().mapToDouble(row -> sum(row) - 1).toArray();
-        rows.add(row(1, weights));
-        return new Scheme(rows, times, false);
+        return new Scheme(rows, Arrays.stream(rows).limit(n).mapToDouble(row -> Arrays.stream(row).sum() - 1)
+                .toArray(), false);
     }
 
     /**
@@ -41,28 +41,19 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
      * @return a method of drifts and kicks in turn
      */
     public static Scheme turns(double[] drifts, double[] kicks) {
+        int n = kicks.length;
         double[] reached = drifts.clone();
         Arrays.parallelPrefix(reached, Double::sum);
-        List<double[]> rows = new ArrayList<>();
-        for (double place : reached) {
-            double[] row = new double[2 + rows.size()];
-            Arrays.setAll(row, c -> c == 0 ? 1 : c == 1 ? place : kicks[c - 2] * (place - reached[c - 2]));
-            rows.add(row);
+        double[][] rows = new double[n + 1][2 + 2 * n];
+        for (int r = 0; r <= n; r++) {
+            rows[r][0] = 1;
+            rows[r][1] = reached[r];
+            for (int c = 0; c < r; c++) {
+                rows[r][2 + c] = kicks[c] * (reached[r] - reached[c]);
+            }
         }
-        double[] velocity = row(0, row(1, kicks));
-        rows.add(velocity);
-        return new Scheme(rows, Arrays.copyOf(reached, kicks.length), true);
-    }
-
-    private static double[] row(double first, double[] others) {
-        double[] row = new double[others.length + 1];
-        row[0] = first;
-        System.arraycopy(others, 0, row, 1, others.length);
-        return row;
-    }
-
-    public static double sum(double[] row) {
-        return Arrays.stream(row).sum();
+        System.arraycopy(kicks, 0, rows[n], 2 + n, n);
+        return new Scheme(rows, Arrays.copyOf(reached, n), true);
     }
 
     /** @return the number of evaluations */
@@ -75,15 +66,10 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
         return particles ? 2 : 1;
     }
 
-    /** @return the column of the state that a row moves */
-    public int own(int r) {
-        return r > size() ? 1 : 0;
-    }
-
     /** @return the same with another row */
     public Scheme with(int r, double[] row) {
-        List<double[]> changed = new ArrayList<>(rows);
-        changed.set(r, row);
+        double[][] changed = rows.clone();
+        changed[r] = row;
         return new Scheme(changed, times, particles);
     }
 
@@ -95,61 +81,63 @@ public record Scheme(List<double[]> rows, double[] times, boolean particles) imp
     @Override
     public void make(DEStateSource source, double deltaT) {
         double start = source.getTime();
+        int n = size();
         double[] s = new double[source.getStateSize()];
         source.getState(s);
-        double[][] f = new double[size()][s.length];
-        for (int j = 0; j < size(); j++) {
-            source.setState(state(s, f, j, deltaT));
-            source.incTime(start + times[j] * deltaT - source.getTime());
-            source.getStateDerivative(f[j]);
+        double[][] columns = new double[rows[0].length][s.length];
+        columns[0] = s;
+        if (particles) {
+            columns[1] = moved(s, deltaT);
         }
-        source.setState(state(s, f, size(), deltaT));
-        source.incTime(start + deltaT - source.getTime());
+        for (int r = 0; r <= n; r++) {
+            double[] row = rows[r];
+            double[] next = new double[s.length];
+            Arrays.setAll(next, k -> IntStream.range(0, row.length).mapToDouble(c -> row[c] * columns[c][k]).sum());
+            source.setState(next);
+            source.incTime(start + (r < n ? times[r] : 1) * deltaT - source.getTime());
+            if (r < n) {
+                double[] f = new double[s.length];
+                source.getStateDerivative(f);
+                columns[first() + r] = moved(f, deltaT * deltaT);
+                Arrays.setAll(columns[row.length - n + r], k -> particles && k % 6 < 3 ? 0 : deltaT * f[k]);
+            }
+        }
     }
 
-    /** The state of an evaluation or the new one. A law without drag does not see the trial velocities of turns. */
-    private double[] state(double[] s, double[][] f, int r, double h) {
-        double[] next = s.clone();
-        for (int k = 0; k < s.length; k++) {
-            boolean position = particles && k % 6 < 3;
-            boolean velocity = particles && !position;
-            if (velocity && r < size()) {
-                continue;
-            }
-            double[] row = rows.get(velocity ? r + 1 : r);
-            next[k] = row[velocity ? 1 : 0] * s[k] + (position ? row[1] * h * s[k + 3] : 0);
-            for (int c = first(); c < row.length; c++) {
-                next[k] += row[c] * h * (position ? h * f[c - 2][k + 3] : f[c - first()][k]);
-            }
-        }
-        return next;
+    /** What the velocities among these numbers make of positions. */
+    private static double[] moved(double[] numbers, double factor) {
+        double[] positions = new double[numbers.length];
+        Arrays.setAll(positions, k -> k % 6 < 3 && k + 3 < numbers.length ? factor * numbers[k + 3] : 0);
+        return positions;
     }
 
     /** @return what a row says, such as {@code k2 = deltaT f is taken at} */
     public String what(int r) {
-        return r > size() ? "the new velocity is" : r == size() ? particles ? "the new position is"
-                : "the new state, where each k includes deltaT, is" : (particles ? "the acceleration a" + (r + 1)
-                : "k" + (r + 1) + " = deltaT f") + " is taken at";
+        return r == size() ? "the new state" + (particles ? " (x, v) is" : ", where each k includes deltaT, is")
+                : (particles ? "the acceleration a" + (r + 1) : "k" + (r + 1) + " = deltaT f") + " is taken at";
     }
 
-    /** @return a row as a formula, such as {@code s + k1/2} */
+    /** @return a row as a formula, such as {@code (s + k1/2, t + deltaT/2)} */
     public String formula(int r) {
-        boolean velocity = r > size();
-        List<String> names = new ArrayList<>(!particles ? List.of("s") : List.of("x", velocity ? "v" : "v deltaT"));
-        IntStream.rangeClosed(1, size()).forEach(j -> names.add(!particles ? "k" + j : "a" + j + (velocity ? " deltaT"
-                : " deltaT^2")));
-        return Formula.sum(rows.get(r), names);
+        double[] row = rows[r];
+        int positions = first() + size();
+        String whole = Formula.sum(Arrays.copyOf(row, positions), particles ? names("a", " deltaT^2", "x", "v deltaT")
+                : names("k", "", "s"));
+        double[] velocities = Arrays.copyOfRange(row, positions - 1, row.length);
+        velocities[0] = row[0];
+        return !particles && r == size() ? whole : "(" + whole + ", " + (r < size() ? Formula.time(times[r])
+                : Formula.sum(velocities, names("a", " deltaT", "v"))) + ")";
     }
 
-    /** @return the first row that is another one than in a method of the same kind; -1 if none is */
+    private List<String> names(String letter, String unit, String... first) {
+        return Stream.concat(Arrays.stream(first), IntStream.rangeClosed(1, size()).mapToObj(j -> letter + j + unit))
+                .toList();
+    }
+
+    /** @return the first row that is another one, or at another time, than in a method of the same kind and size; -1 if none is */
     public int unlike(Scheme other) {
-        return IntStream.range(0, Math.min(rows.size(), other.rows.size())).filter(r -> !same(rows.get(r),
-                other.rows.get(r))).findFirst().orElse(-1);
-    }
-
-    /** @return whether two rows are equal up to round-off, where missing numbers are 0 */
-    public static boolean same(double[] x, double[] y) {
-        return IntStream.range(0, Math.max(x.length, y.length)).allMatch(j -> Formula.same(j < x.length ? x[j] : 0,
-                j < y.length ? y[j] : 0));
+        return IntStream.rangeClosed(0, size()).filter(r -> r < size() && !Formula.same(times[r], other.times[r])
+                || !IntStream.range(0, rows[r].length).allMatch(c -> Formula.same(rows[r][c], other.rows[r][c])))
+                .findFirst().orElse(-1);
     }
 }

@@ -11,8 +11,8 @@ public enum Phrase {
     NOTHING_YET(Kind.UNWRITTEN, "the step does nothing yet: write it, then check again"),
     EXCEPTION(Kind.FAILURE, "stepState ends in an exception: %s"),
     NOT_FINITE(Kind.STATE, "the new state is NaN or infinite although state and derivative are finite"),
-    NOT_REPEATABLE(Kind.METHOD, "two new solvers make different steps from the same place: something is random, or"
-            + " static and shared by all solvers"),
+    NOT_REPEATABLE(Kind.METHOD, "six steps end elsewhere if they are made again, with steps of another solver in between:"
+            + " something is random, or static and shared by all solvers"),
     NO_DERIVATIVE(Kind.METHOD, "getStateDerivative is never called"),
     NEVER_SET(Kind.STATE, "the new state never reaches the source: setState(state) is missing"),
     // clock and state
@@ -37,7 +37,6 @@ public enum Phrase {
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
-    STAGE_TIMES(Kind.TIME, "k%s is taken at %s; %s says %s: %s"),
     COUNT(Kind.METHOD, "%s; a step evaluates the derivative %s times, and %s does %s times"),
     OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
             + " and the velocity %s a deltaT; with %s they are %s and %s"),
@@ -47,7 +46,8 @@ public enum Phrase {
     EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or"
             + " another one is"),
     NOTHING_EARLIER(Kind.NAME, "%s uses earlier steps; each step of this solver is the one that a new solver makes"),
-    NO_CONTROL(Kind.NAME, "a step of 4 s and one of 1/4 s take as many evaluations: there is no step-size control"),
+    NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, a step of 4 s and one of"
+            + " 1/4 s take as many evaluations: there is no step-size control"),
     // measured
     NO_CONVERGENCE(Kind.METHOD, "the error does not go to 0 with deltaT%s: it is still %s with deltaT = %s s"),
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),
@@ -59,12 +59,13 @@ public enum Phrase {
             + " steps over the same time"),
     DRAG(Kind.STYLE, "its order is %s, and %s where the acceleration depends on the velocity, as with drag"),
     // earlier steps, steps back, and other sources
-    KEPT(Kind.STATE, "after six steps and reset(), a step of another source, of %s particles, and with another deltaT,"
-            + " %s, unlike that of a new solver: something of earlier steps is kept"),
+    KEPT(Kind.STATE, "after six steps and reset(), a step of a source of %s particles with deltaT = %s s %s, unlike"
+            + " that of a new solver: something of earlier steps is kept"),
     BACK(Kind.STATE, "after a step of %s s and one back the state is off by %s and the clock by %s s, and the step"
             + " alone is off by %s: the sign of deltaT is lost"),
     SWALLOWS(Kind.STATE, "the source threw an exception, and stepState returned as if nothing had happened: do not"
             + " catch it, so that the caller learns of it"),
+    NAN(Kind.STATE, "where the derivative is NaN, %s: after a blow-up, nobody learns of it"),
     NOTHING_BACK(Kind.STYLE, "a step of negative deltaT does nothing, and says nothing"),
     ONLY_PARTICLES(Kind.STYLE, "it steps particles, six numbers each, and no source of two numbers: %s");
 

@@ -11,7 +11,9 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
+import particles.teaching.GuardedRun.EndlessLoop;
 import particles.teaching.StudentFailure;
+import particles.teaching.sources.Falling;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Probe.Answer;
 import particles.teaching.sources.Springs;
@@ -53,35 +55,44 @@ public record SolverContract(Supplier<DESolver> maker) {
         boolean stays = Arrays.equals(new WindyOscillators(2).getState(), end);
         return Phrase.NOTHING_YET.when(!written && stays).or(() -> Phrase.NO_DERIVATIVE.when(source.getEvaluations()
                 == 0)).or(() -> Phrase.NEVER_SET.when(!source.isSet())).or(() -> Phrase.NOT_FINITE.when(
-                !Double.isFinite(Arrays.stream(end).sum()))).or(() -> Phrase.NOT_REPEATABLE.when(!IntStream.range(0,
-                REPEATED).allMatch(time -> {
-                    StudentSource twin = after(new WindyOscillators(2), H);
-                    return Arrays.equals(twin.getState(), end) && twin.getTime() == source.getTime();
-                })));
+                !Double.isFinite(Arrays.stream(end).sum()))).or(() -> Phrase.NOT_REPEATABLE.when(!Arrays.equals(steps(
+                false), steps(true))));
+    }
+
+    /** The state after some steps, between which another solver may step another source. */
+    private double[] steps(boolean beside) {
+        WindyOscillators source = new WindyOscillators(2);
+        WindyOscillators other = WindyOscillators.nonlinear(2).from(START);
+        DESolver solver = maker.get();
+        DESolver second = maker.get();
+        for (int step = 0; step < REPEATED; step++) {
+            source.step(solver, H);
+            if (beside) {
+                other.step(second, H);
+            }
+        }
+        return source.getState();
     }
 
     /** @return the mistake of a clock that does not end where the step does, in one of several steps */
     public Optional<Finding> clock() {
-        for (double h : LENGTHS) {
-            DESolver solver = maker.get();
-            WindyOscillators source = new WindyOscillators(1).from(START);
-            for (int step = 1; step <= REPEATED; step++) {
-                double before = source.getTime();
-                source.step(solver, h);
-                double moved = source.getTime() - before;
-                if (Math.abs(moved - h) > ROUNDING * h) {
-                    return Optional.of(Phrase.CLOCK.of(step, h, (float) (moved - h)));
-                }
-            }
-        }
-        return Optional.empty();
+        return Arrays.stream(LENGTHS).boxed().flatMap(h -> Stream.of(new WindyOscillators(1).from(START), new Falling(
+                0)).flatMap(source -> {
+                    DESolver solver = maker.get();
+                    return IntStream.rangeClosed(1, REPEATED).mapToObj(step -> {
+                        double before = source.getTime();
+                        source.step(solver, h);
+                        double off = source.getTime() - before - h;
+                        return Phrase.CLOCK.when(Math.abs(off) > ROUNDING * h, step, h, (float) off);
+                    }).flatMap(Optional::stream);
+                })).findFirst();
     }
 
     /** @return an entry of the new state that changes with another one's state or derivative, or with nothing */
     public Optional<Finding> entries() {
         double[] numbers = new Random(9).doubles(SIZE, TINY, 2 * TINY).toArray();
         double[] usual = stepWith(numbers).getState();
-        double[] nothing = stepWith(new double[SIZE]).getState();
+        double[] nothing = after(new Falling(0), H).getState();
         return IntStream.range(0, SIZE).boxed().flatMap(j -> {
             double[] changed = numbers.clone();
             changed[j] *= -2;
@@ -130,7 +141,7 @@ public record SolverContract(Supplier<DESolver> maker) {
 
     /** @return mistakes and notes on steps back, other sources, and sources that fail */
     public List<Finding> conduct() {
-        return Stream.of(back(), line(), failing(0), failing(1)).flatMap(Optional::stream).distinct().toList();
+        return Stream.of(back(), line(), failing(0), failing(1), notANumber()).flatMap(Optional::stream).distinct().toList();
     }
 
     /** Judges a step back after one forward, which leads about as far off as that step's error. */
@@ -161,6 +172,17 @@ public record SolverContract(Supplier<DESolver> maker) {
         }
         return Phrase.ONLY_PARTICLES.when(!(StudentSource.distance(two, new double[] {space[0], space[3]}) <= SAME),
                 "it leaves " + two[0] + ", " + two[1] + " where a particle in space has " + space[0] + ", " + space[3]);
+    }
+
+    /** NaN may be refused, and stays otherwise: it is not taken for a number, and no step waits for its end. */
+    private Optional<Finding> notANumber() {
+        StudentSource source = new Falling(Double.NaN);
+        try {
+            return Phrase.NAN.when(source.accepts(maker.get(), H) && Double.isFinite(source.getState()[SIZE - 1]),
+                    "the new state is a number");
+        } catch (EndlessLoop e) {
+            return Phrase.NAN.when(true, "the step does not come back");
+        }
     }
 
     /** A source that fails from this evaluation on has to be heard of. */

@@ -10,15 +10,14 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.compared.Agreement;
+import particles.teaching.compared.Agreement.Cause;
 import particles.teaching.compared.Agreement.Match;
 import particles.teaching.compared.Fit;
 import particles.teaching.compared.Mistake;
 import particles.teaching.compared.Reading;
 import particles.teaching.declared.Declaration;
-import particles.teaching.declared.Equation;
 import particles.teaching.declared.Method;
 import particles.teaching.declared.Scheme;
 import particles.teaching.measured.Control;
@@ -92,14 +91,10 @@ public final class SolverCheck {
 
     private List<Finding> judge() {
         SolverMemory memory = new SolverMemory(maker, control.makesSubSteps());
-        Optional<Finding> formula = first(contract::clock, contract::entries, contract::alike).or(() ->
-                memory.remembers() ? ofEarlierSteps() : ofOneStep());
-        List<Finding> findings = new ArrayList<>(formula.stream().toList());
-        if (formula.isEmpty()) {
-            findings.addAll(memory.mistake().stream().toList());
-            findings.addAll(contract.conduct());
-        }
-        return findings;
+        Optional<Finding> wrong = first(contract::clock, contract::entries, contract::alike).or(() -> ofFormula(
+                memory.remembers()));
+        return wrong.isPresent() ? List.of(wrong.get()) : Stream.concat(memory.mistake().stream(), contract.conduct()
+                .stream()).toList();
     }
 
     /** @return the first of these that finds something; one whose steps the solver refuses finds nothing */
@@ -117,47 +112,56 @@ public final class SolverCheck {
         return declared.map(Declaration::method);
     }
 
-    private Optional<Finding> ofOneStep() {
+    private Optional<Finding> ofFormula(boolean remembers) {
         Agreement agreement = new Agreement(maker);
-        Optional<Match> match = agreement.known();
-        Fit fit = Fit.of(maker, false);
+        Optional<Match> match = agreement.known().filter(one -> !remembers);
+        Fit fit = Fit.of(maker, remembers);
         known = match.map(Match::method).or(fit::known);
-        Optional<Scheme> read = known.isPresent() ? Optional.empty() : Reading.of(maker);
-        known.ifPresent(method -> identity = "This is " + method.title() + ".");
-        Optional<Finding> wrong = measured(match, fit, read);
-        return wrong.isPresent() ? agreement.mistake(suspects()).map(SolverCheck::named).or(() -> wrong.map(finding ->
-                compared(finding, read))) : known.isPresent() ? Optional.empty() : agreement.mistake(suspects())
-                .filter(this::isMeant).map(SolverCheck::named).or(() -> asked(agreement, read));
+        multistep = remembers && (known.isPresent() || contract.evaluations(SHORT) == contract.evaluations(8));
+        Optional<Method> kind = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep));
+        kind.ifPresent(method -> identity = "This is " + method.title() + ".");
+        boolean isOther = known.isPresent() || remembers;
+        Optional<Scheme> read = isOther ? Optional.empty() : Reading.of(maker);
+        Optional<Finding> wrong = measured(match, fit, read, remembers);
+        Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects());
+        return wrong.isPresent() ? cause.map(SolverCheck::named).or(() -> wrong.map(finding -> compared(finding,
+                read))) : cause.filter(this::isMeant).map(SolverCheck::named).or(() -> declared.filter(one ->
+                one.asked() && !isOther && !one.method().schemes().isEmpty()).map(one -> Phrase.NOT_THE_METHOD.of(one
+                .method().title(), agreement.distance(one.method().schemes().get(0)), Agreement.H)));
     }
 
     /** The methods of which it may be a mistake: the declared one, or those with as many evaluations, then others. */
     private Stream<Method> suspects() {
         long evaluations = contract.evaluations(SHORT);
         Optional<Method> meant = method().filter(method -> !method.isFamily());
-        return known.isPresent() ? Stream.empty() : meant.isPresent() ? meant.stream() : Arrays.stream(Method.values())
-                .sorted(Comparator.comparing(method -> method.schemes().stream().noneMatch(scheme -> scheme.size()
-                == evaluations)));
+        return meant.isPresent() ? meant.stream() : Arrays.stream(Method.values()).sorted(Comparator.comparing(method ->
+                method.schemes().stream().noneMatch(scheme -> scheme.size() == evaluations)));
     }
 
     /** Whether a right step is a mistake of the method that is declared, or of one that is not done in turns. */
-    private boolean isMeant(Agreement.Cause cause) {
+    private boolean isMeant(Cause cause) {
         return declared.map(one -> one.alone() && one.method() == cause.method()).orElse(orders.order()
                 < cause.method().order() - 0.5 || cause.mistake().isInTurn());
     }
 
     /** What is wrong, as measured; empty for a right one. */
-    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Scheme> read) {
-        Optional<Finding> other = known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent()).map(
-                method -> Phrase.CONTRADICTS.of(method.title(), method().orElseThrow().title()));
-        if (other.isPresent()) {
-            return other;
-        }
-        Optional<Method> implicit = known.isPresent() ? Optional.empty() : declared.filter(Declaration::alone).map(
-                Declaration::method).filter(Method::isImplicit);
-        return first(() -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(one.method().title(),
-                one.distance())), () -> FreeFall.mistake(maker, 1), contract::units, () -> implicit.flatMap(method ->
-                solved(method, fit, read)), () -> ordered(read), this::controlled, () -> implicit.flatMap(method ->
-                control.unstable()), this::earlier);
+    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Scheme> read, boolean remembers) {
+        Optional<Declaration> alone = declared.filter(Declaration::alone);
+        Optional<Method> implicit = alone.map(Declaration::method).filter(method -> method.isImplicit()
+                && known.isEmpty() && !remembers);
+        return first(() -> contradicts(known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent())),
+                () -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(one.method().title(), one
+                .distance())), () -> FreeFall.mistake(maker, remembers ? STEPS : 1), contract::units, () -> implicit
+                .flatMap(method -> solved(method, fit, read)), () -> ordered(read, remembers), this::controlled, () ->
+                implicit.flatMap(method -> control.unstable()), () -> alone.filter(one -> !remembers && one.method()
+                .usesEarlier()).map(one -> Phrase.NOTHING_EARLIER.of(one.method().title())), () -> contradicts(
+                Optional.of(Method.MULTISTEP).filter(method -> multistep && !known.equals(method()) && declared.filter(
+                one -> one.asked() && one.method() != method).isPresent())));
+    }
+
+    /** It is this method, and not the declared one. */
+    private Optional<Finding> contradicts(Optional<Method> other) {
+        return other.map(method -> Phrase.CONTRADICTS.of(method.title(), method().orElseThrow().title()));
     }
 
     /** An implicit method solves its equation. */
@@ -172,34 +176,22 @@ public final class SolverCheck {
                 Method.ADAPTIVE)));
     }
 
-    /** A multistep method uses earlier steps. */
-    private Optional<Finding> earlier() {
-        return declared.filter(Declaration::alone).map(Declaration::method).flatMap(method ->
-                Phrase.NOTHING_EARLIER.when(method == Method.MULTISTEP || method.equation().filter(
-                Equation::usesEarlier).isPresent(), method.title()));
-    }
-
     /** Measures the orders, and says what an unknown method is. */
-    private Optional<Finding> ordered(Optional<Scheme> read) {
+    private Optional<Finding> ordered(Optional<Scheme> read, boolean remembers) {
         orders = Orders.of(maker);
-        identity = known.isPresent() ? identity : "This is a method" + orders.whole().map(whole -> " of order " + whole)
-                .orElse("") + read.map(scheme -> " (evaluations in a step: " + scheme.size() + ")").orElse(
-                control.makesSubSteps() ? " that makes sub-steps" : "") + "; it is none that the check knows by name.";
-        boolean turns = known.filter(method -> method.schemes().stream().anyMatch(Scheme::particles)).isPresent();
-        if (turns || known.isEmpty() && read.isEmpty()) {
+        if (known.isEmpty() && !multistep) {
+            identity = "This is a method" + orders.whole().map(whole -> " of order " + whole).orElse("") + (remembers
+                    ? " that keeps something of earlier steps" : read.map(scheme -> " (evaluations in a step: " + scheme
+                    .size() + ")").orElse(control.makesSubSteps() ? " that makes sub-steps" : ""))
+                    + "; it is none that the check knows by name.";
+        }
+        if (known.map(method -> method.schemes().stream().anyMatch(Scheme::particles)).orElse(read.isEmpty())) {
             orders.note().ifPresent(notes::add);
         }
         return orders.mistake(declared, read.isPresent());
     }
 
-    /** A step that is right, where another method was asked for. */
-    private Optional<Finding> asked(Agreement agreement, Optional<Scheme> read) {
-        return declared.filter(one -> one.asked() && !one.method().schemes().isEmpty()).map(one -> compared(
-                Phrase.NOT_THE_METHOD.of(one.method().title(), agreement.distance(one.method().schemes().get(0)),
-                Agreement.H), read));
-    }
-
-    private static Finding named(Agreement.Cause cause) {
+    private static Finding named(Cause cause) {
         String title = cause.method().title();
         Scheme right = cause.scheme();
         if (!(cause.changed() instanceof Scheme changed)) {
@@ -207,17 +199,8 @@ public final class SolverCheck {
         }
         int r = changed.unlike(right);
         return cause.mistake() == Mistake.BY_DELTA_T ? Phrase.STEP.of(title, right.what(r) + " " + right.formula(r)
-                + ", and here " + cause.mistake()) : r < 0 ? times(changed, right, title, cause.mistake().toString())
-                : Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title, right.formula(r), cause.mistake());
-    }
-
-    private static Finding times(Scheme made, Scheme right, String title, String mistake) {
-        int j = 0;
-        while (Formula.same(made.times()[j], right.times()[j])) {
-            j++;
-        }
-        return Phrase.STAGE_TIMES.of(j + 1, Formula.time(made.times()[j]), title, Formula.time(right.times()[j]),
-                mistake);
+                + ", and here " + cause.mistake()) : Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title,
+                right.formula(r), cause.mistake());
     }
 
     /** Says where the step leaves the declared method's, in numbers. */
@@ -229,23 +212,11 @@ public final class SolverCheck {
         String title = method().orElseThrow().title();
         Scheme known = right.get();
         return read.filter(scheme -> !known.particles()).map(scheme -> {
-            int r = scheme.unlike(known);
-            return scheme.size() != known.size() ? Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size())
-                    : r < 0 ? finding : Phrase.ROW.of(finding.text(), scheme.what(r), scheme.formula(r), title,
-                    known.formula(r));
+            int r = scheme.size() == known.size() ? scheme.unlike(known) : -1;
+            return r >= 0 ? Phrase.ROW.of(finding.text(), scheme.what(r), scheme.formula(r), title, known.formula(r))
+                    : Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size());
         }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(own::isUnlike).map(
                 other -> Phrase.OTHER_STEP.of(finding.text(), own.fell(), own.speed(), title, other.fell(),
                 other.speed())))).orElse(finding);
-    }
-
-    private Optional<Finding> ofEarlierSteps() {
-        known = Fit.of(maker, true).known();
-        multistep = known.isPresent() || contract.evaluations(SHORT) == contract.evaluations(8);
-        identity = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep)).map(method -> "This is "
-                + method.title() + ".").orElse("This is a method that keeps something of earlier steps.");
-        return first(() -> FreeFall.mistake(maker, STEPS), contract::units, () -> Orders.of(maker).mistake(declared,
-                false), this::controlled).map(finding -> compared(finding, Optional.empty())).or(() -> declared
-                .filter(one -> !one.allows(known, multistep)).map(one -> Phrase.CONTRADICTS.of(known.orElse(
-                Method.MULTISTEP).title(), one.method().title())));
     }
 }

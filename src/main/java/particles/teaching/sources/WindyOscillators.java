@@ -6,9 +6,10 @@ import particles.teaching.sources.StudentSource.SecondOrderSource;
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is
  * wrong within a step shows. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution. In the
- * nonlinear variant the springs harden and each particle is coupled to the next (y): x'' = -4 x - x^3 + (y - x)/2
+ * nonlinear variant the springs harden and each particle is coupled to the next (y): x'' = -4 x - x^3 + q (y - x)/2
  * + f(t), y the same coordinate of the next particle, where x is the same multiplied by q, another number for each
- * coordinate of each particle. With drag, the solution is the same.
+ * coordinate of each particle, and 0 for the first of several: who looks at that one alone sees nothing. With drag, the
+ * solution is the same.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderSource {
     private static final double COUPLING = 0.5;
@@ -57,8 +58,8 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return copy;
     }
 
-    private static double amplitude(int k, int bend) {
-        return 1 + bend * (0.1 * (k % 3) + 0.07 * (k / 6));
+    private static double amplitude(int k, int size, int bend) {
+        return bend == 1 && k < 6 && size > 6 ? 0 : 1 + bend * (0.1 * (k % 3) + 0.07 * (k / 6));
     }
 
     private static double shape(double t) {
@@ -71,7 +72,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
 
     private static double[] exact(int size, int bend, double t) {
         double[] exact = new double[size];
-        Arrays.setAll(exact, k -> amplitude(k, bend) * (k % 6 < 3 ? shape(t) : speed(t)));
+        Arrays.setAll(exact, k -> amplitude(k, size, bend) * (k % 6 < 3 ? shape(t) : speed(t)));
         return exact;
     }
 
@@ -88,13 +89,13 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
             if (k % 6 < 3) {
                 dSdt[k] = s[k + 3];
             } else {
-                double q = amplitude(k, bend);
+                double q = amplitude(k, s.length, bend);
                 double x = s[k - 3];
                 int next = (k + 3) % s.length;
                 double off = q * shape - x;
                 dSdt[k] = q * accelerated + 4 * off + drag * (q * speed(t) - s[k]) + bend * (q * q * q
-                        * shape * shape * shape - x * x * x + COUPLING * (s[next] - amplitude(next, bend) * shape
-                        + off));
+                        * shape * shape * shape - x * x * x + COUPLING * q * (s[next] - amplitude(next, s.length, bend)
+                        * shape + off));
             }
         }
     }

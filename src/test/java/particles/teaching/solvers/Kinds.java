@@ -7,6 +7,7 @@ import static particles.teaching.solvers.PlantedSolvers.state;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
@@ -39,6 +40,11 @@ final class Kinds {
         static Kind wrong(String name, String about, Phrase verdict, Step step) {
             return new Kind(name, about, Optional.of(verdict), step::solver);
         }
+    }
+
+    /** What may be wrong with sub-steps. */
+    private enum Habit {
+        KEEPS_REJECTED, LOOKS_AT_ONE, WAITS_FOR_NAN
     }
 
     /** A step from s. */
@@ -201,8 +207,9 @@ final class Kinds {
         });
     }
 
-    /** Heun's method with sub-steps, forwards only; what is rejected may be kept. */
-    private static Step adaptive(boolean keepsRejected) {
+    /** Heun's method with sub-steps, forwards only. */
+    private static Step adaptive(Habit... habits) {
+        List<Habit> all = List.of(habits);
         return from((source, deltaT, s) -> {
             double t = source.getTime();
             double end = t + deltaT;
@@ -215,11 +222,11 @@ final class Kinds {
                 source.incTime(h);
                 double[] next = plus(now, h / 2, k1, h / 2, slopeAt(source, plus(now, h, k1)));
                 double error = 0;
-                for (int i = 0; i < s.length; i++) {
+                for (int i = 0; i < (all.contains(Habit.LOOKS_AT_ONE) ? 6 : s.length); i++) {
                     error = Math.max(error, Math.abs(next[i] - now[i] - h * k1[i]));
                 }
-                boolean good = !(error > 1e-5);
-                now = good || keepsRejected ? next : now;
+                boolean good = all.contains(Habit.WAITS_FOR_NAN) ? error <= 1e-5 : !(error > 1e-5);
+                now = good || all.contains(Habit.KEEPS_REJECTED) ? next : now;
                 t = !good ? t : h == end - t ? end : t + h;
                 h *= Math.min(4, Math.max(0.2, 0.9 * Math.sqrt(1e-5 / (error + 1e-16))));
             }
@@ -247,7 +254,7 @@ final class Kinds {
                 })), new Kind("AB2Solver", "if (last == null), reset", Optional.empty(), () -> new Adams(1.5, -0.5,
                         true)),
                 new Kind("StoermerVerlet", "positions before", Optional.empty(), () -> new Stoermer(1, 0.5, true)),
-                Kind.right("AdaptiveHeun", "nothing backwards", adaptive(false)),
+                Kind.right("AdaptiveHeun", "nothing backwards", adaptive()),
                 Kind.right("BackwardEulerSolver", "NaN in stiff springs", backward(40, 1)));
     }
 
@@ -314,7 +321,9 @@ final class Kinds {
                 new Kind("AB2Solver", "no reset", Optional.of(Phrase.KEPT), () -> new Adams(1.5, -0.5, false)),
                 Kind.wrong("BackwardEulerSolver", "half of deltaT", Phrase.FLIGHT, backward(40, 0.5)),
                 Kind.wrong("BackwardEulerSolver", "two rounds", Phrase.EXPLICIT, backward(2, 1)),
-                Kind.wrong("AdaptiveHeun", "keeps what it rejects", Phrase.FLIGHT, adaptive(true)),
+                Kind.wrong("AdaptiveHeun", "keeps what it rejects", Phrase.FLIGHT, adaptive(Habit.KEEPS_REJECTED)),
+                Kind.wrong("AdaptiveHeun", "error of one particle", Phrase.NO_CONTROL, adaptive(Habit.LOOKS_AT_ONE)),
+                Kind.wrong("AdaptiveHeun", "an endless loop at NaN", Phrase.NAN, adaptive(Habit.WAITS_FOR_NAN)),
                 Kind.wrong("AdaptiveEuler", "one step size", Phrase.NO_CONTROL, from((source, h, s) -> {
                     source.setState(plus(s, h, slope(source)));
                     source.incTime(h);
@@ -367,6 +376,34 @@ final class Kinds {
                 new Kind("EulerSolver", "caches the size", Optional.of(Phrase.KEPT),
                         PlantedSolvers.CachedSize::new),
                 new Kind("Mine", "a derivative once", Optional.of(Phrase.NO_CONVERGENCE),
-                        PlantedSolvers.StaleDerivative::new));
+                        PlantedSolvers.StaleDerivative::new),
+                new Kind("EulerSolver", "keeps the first direction", Optional.of(Phrase.KEPT), () -> {
+                    double[] first = {0};
+                    return from((source, h, s) -> {
+                        first[0] = first[0] == 0 ? h : first[0];
+                        source.setState(plus(s, Math.copySign(h, first[0]), slope(source)));
+                        source.incTime(h);
+                    }).solver();
+                }), Kind.wrong("EulerSolver", "NaN taken for 0", Phrase.NAN, from((source, h, s) -> {
+                    double[] f = slope(source);
+                    Arrays.setAll(f, i -> Double.isNaN(f[i]) ? 0 : f[i]);
+                    source.setState(plus(s, h, f));
+                    source.incTime(h);
+                })), Kind.wrong("EulerSolver", "no clock where nothing moves", Phrase.CLOCK, from((source, h, s) -> {
+                    double[] end = plus(s, h, slope(source));
+                    source.setState(end);
+                    source.incTime(Arrays.equals(s, end) ? 0 : h);
+                })), Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
+    }
+
+    /** Adams-Bashforth of order 2 that keeps the last derivative there. */
+    private static Step inAStaticArray(double[][] last) {
+        return from((source, h, s) -> {
+            double[] f = slope(source);
+            double[] before = last[0] == null || last[0].length != f.length ? f : last[0];
+            source.setState(plus(s, 1.5 * h, f, -0.5 * h, before));
+            source.incTime(h);
+            last[0] = f;
+        });
     }
 }

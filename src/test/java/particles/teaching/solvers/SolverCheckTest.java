@@ -30,7 +30,7 @@ import particles.teaching.solvers.Kinds.Kind;
 class SolverCheckTest {
     private static final double H = 0.1;
     /** Where the sentence of a mistake stands. */
-    private static final Set<Phrase> NAMED = EnumSet.of(Phrase.DIFFERS, Phrase.STEP, Phrase.STAGE_TIMES);
+    private static final Set<Phrase> NAMED = EnumSet.of(Phrase.DIFFERS, Phrase.STEP);
 
     static List<Kind> rightKinds() {
         return Kinds.right();
@@ -143,10 +143,10 @@ class SolverCheckTest {
         assertEquals("the new state, where each k includes deltaT, is s + k1/6 + k2/3 + k3/6 + k4/6; RK4, the classical"
                 + " Runge-Kutta method says s + k1/6 + k2/3 + k3/3 + k4/6: a sign or a factor is wrong",
                 SolverCheck.check(changed::solver, "RK4Solver").wrong().get(0).text());
-        Scheme unlike = rk4.with(3, new double[] {1, 0, 0.25, 0.75});
+        Scheme unlike = rk4.with(3, new double[] {1, 0, 0.25, 0.75, 0});
         assertEquals("the measured order is 2.96, and that of RK4, the classical Runge-Kutta method is 4; k4 = deltaT f"
-                + " is taken at s + k2/4 + 3/4 k3, and RK4, the classical Runge-Kutta method says s + k3", SolverCheck
-                .check(unlike::solver, "RK4Solver").wrong().get(0).text());
+                + " is taken at (s + k2/4 + 3/4 k3, t + deltaT), and RK4, the classical Runge-Kutta method says (s + k3,"
+                + " t + deltaT)", SolverCheck.check(unlike::solver, "RK4Solver").wrong().get(0).text());
     }
 
     @Test
