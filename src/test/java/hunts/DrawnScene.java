@@ -4,10 +4,13 @@ import static particles.spec.JsonText.map;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -19,13 +22,17 @@ import particles.law.Vector3;
 /**
  * A valid scene as plain numbers that jqwik can draw and shrink: balls on springs, rods and wires, a pivot that may
  * move, effects and surfaces, and a nozzle. Balls on rods move as one rigid body at first, as rods demand. Some masses
- * differ by up to 1e12, some balls are so fast that they cross the others' reach within a step, and some are at one
+ * differ by up to 1e12, some balls fly through a soft post that is narrower than a step's way, and some are at one
  * place: that is refused if they are soft balls, too.
  */
 record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wires,
-        List<Map<String, Map<String, Object>>> effects, List<Surface> surfaces, List<Nozzle> nozzles, Start start,
-        Run run) {
+        List<Map<String, Map<String, Object>>> effects, List<Surface> surfaces, List<Nozzle> nozzles,
+        List<Post> posts, Start start, Run run) {
     private static final double TURN = 2 * Math.PI;
+    private static final double UNEVEN = 1e6;
+
+    /** What is hunted for by name; the fuzzer counts how often it was drawn. */
+    enum Kind { FAST_PASSAGES, BIRTHS, UNEVEN_MASSES, ONE_PLACE }
 
     record Ball(double mass, Vector3 position, Vector3 velocity) {
     }
@@ -48,10 +55,24 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
     record Nozzle(Vector3 position, Vector3 direction, double speed, double perStep, double mass) {
     }
 
+    /**
+     * A soft sphere on the first ball's way; its scene has no rods, springs or wires, so that the balls fly there.
+     *
+     * @param when     when it would be passed, as a part of the run
+     * @param size     its radius, as a part of the way in one step
+     * @param hardness its stiffness is so many times m (v/r)&sup2;
+     * @param aside    from the way, in radii
+     */
+    record Post(double when, double size, double hardness, Vector3 aside) {
+    }
+
     record Start(Vector3 velocity, Vector3 spin) {
     }
 
     record Run(String solver, double deltaT, double steps, boolean exact, boolean projection) {
+    }
+
+    private record Rest(List<Post> posts, Start start, Run run) {
     }
 
     private static Arbitrary<Double> numbers(double least, double most) {
@@ -81,8 +102,8 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
     }
 
     static Arbitrary<DrawnScene> any() {
-        Arbitrary<Double> mass = frequent(9, decades(-1, 1), decades(-6, 6));
-        Arbitrary<Vector3> place = frequent(9, vectors(1), Arbitraries.of(Vector3.ZERO, new Vector3(0, 0.5, 0)));
+        Arbitrary<Double> mass = frequent(4, decades(-1, 1), frequent(1, decades(-6, 6), Arbitraries.of(1e-6, 1e6)));
+        Arbitrary<Vector3> place = frequent(4, vectors(1), Arbitraries.of(Vector3.ZERO, new Vector3(0, 0.5, 0)));
         Arbitrary<Vector3> fast = Combinators.combine(directions(), decades(1, 2)).as((way, speed) ->
                 way.normalized().times(speed));
         Arbitrary<Ball> ball = Combinators.combine(mass, place, frequent(9, vectors(1), fast)).as(Ball::new);
@@ -96,18 +117,23 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         Arbitrary<Surface> surface = Combinators.combine(Arbitraries.of("ground", "plane", "ball", "bowl"),
                 directions(), orZero(decades(-3, -0.3)), Arbitraries.oneOf(Arbitraries.of(0.0, 1.0), numbers(0, 1)),
                 Arbitraries.of("none", "coulomb", "slide"), orZero(numbers(0, 1))).as(Surface::new);
-        Arbitrary<Nozzle> nozzle = Combinators.combine(vectors(2), directions(), decades(-2, 1), decades(-1, 0.7), mass)
-                .as(Nozzle::new);
+        Arbitrary<Nozzle> nozzle = Combinators.combine(vectors(2), directions(), frequent(4, decades(-2, 1),
+                Arbitraries.just(0.0)), decades(-1, 0.7), mass).as(Nozzle::new);
+        Arbitrary<Post> post = Combinators.combine(numbers(0, 1), decades(-2, 0.5), decades(-1, 2), vectors(0.5))
+                .as(Post::new);
         Arbitrary<Start> start = Combinators.combine(vectors(2), vectors(2)).as(Start::new);
         Arbitrary<Run> run = Combinators.combine(Arbitraries.of(SolverCatalog.names()), decades(-3.5, -0.3),
                 numbers(3, 20), Arbitraries.of(true, false), Arbitraries.of(true, false)).as(Run::new);
         return Combinators.combine(ball.list().ofMinSize(1).ofMaxSize(5), link.list().ofMaxSize(6).withSizeDistribution(
                 RandomDistribution.uniform()), pivot,
                 wire.list().ofMaxSize(1), effect().list().ofMaxSize(3), surface.list().ofMaxSize(2), frequent(4,
-                Arbitraries.just(List.<Nozzle>of()), nozzle.map(List::of)), Combinators.combine(start, run)
-                .as(Map::entry)).as((balls, links, ends, bent, effects, surfaces, nozzles, both) ->
-                        new DrawnScene(balls, links, ends, bent, effects, surfaces, nozzles, both.getKey(),
-                                both.getValue()));
+                Arbitraries.just(List.<Nozzle>of()), nozzle.map(List::of)), Combinators.combine(frequent(4,
+                Arbitraries.just(List.<Post>of()), post.map(List::of)), start, run).as(Rest::new))
+                .as((balls, links, ends, bent, effects, surfaces, nozzles, rest) -> rest.posts.isEmpty()
+                        ? new DrawnScene(balls, links, ends, bent, effects, surfaces, nozzles, List.of(), rest.start,
+                                rest.run)
+                        : new DrawnScene(balls, List.of(), ends, List.of(), effects, surfaces, nozzles, rest.posts,
+                                rest.start, rest.run));
     }
 
     /** The first so many times as often as the other. */
@@ -180,6 +206,7 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         }
         Map<String, Map<String, Object>> laws = new LinkedHashMap<>();
         effects.forEach(laws::putAll);
+        posts.forEach(post -> laws.put("penaltySphere", post(post)));
         if (!surfaces.isEmpty()) {
             laws.putIfAbsent("gravity", Map.of());          // or little would ever touch them
         }
@@ -194,6 +221,29 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
             scene.put("constraints", map("feedback", Math.min(5, 0.4 / run.deltaT), "projection", run.projection));
         }
         return BrokenText.text(scene);
+    }
+
+    private Map<String, Object> post(Post post) {
+        Ball ball = balls.get(0);
+        double radius = Math.max(1e-3, ball.velocity.length() * run.deltaT * post.size);
+        double rate = ball.velocity.length() / radius;
+        return map("centre", list(ball.position.plus(ball.velocity.times(run.deltaT * run.steps * post.when))
+                .plus(post.aside.times(radius))), "radius", radius, "stiffness", post.hardness * ball.mass * rate * rate);
+    }
+
+    /** @return which of the hunted kinds it is of */
+    Set<Kind> kinds() {
+        Set<Kind> kinds = EnumSet.noneOf(Kind.class);
+        DoubleSummaryStatistics masses = balls.stream().mapToDouble(Ball::mass).summaryStatistics();
+        Map<Kind, Boolean> holds = Map.of(Kind.FAST_PASSAGES, posts.stream().anyMatch(post -> post.size < 1),
+                Kind.BIRTHS, !nozzles.isEmpty(), Kind.UNEVEN_MASSES, masses.getMax() > UNEVEN * masses.getMin(),
+                Kind.ONE_PLACE, balls.stream().map(Ball::position).distinct().count() < balls.size());
+        holds.forEach((kind, held) -> {
+            if (held) {
+                kinds.add(kind);
+            }
+        });
+        return kinds;
     }
 
     private String id(int i) {

@@ -49,13 +49,14 @@ final class Judge {
     /**
      * What became of an execution.
      *
-     * @param find  what is wrong; empty if nothing is
-     * @param kind  how it ended, in words without numbers
-     * @param order the measured order of a solver whose error is small but not round-off; otherwise NaN
+     * @param find     what is wrong; empty if nothing is
+     * @param kind     how it ended, in words without numbers
+     * @param compared whether the run was whole, and compared with a reference
+     * @param order    the measured order of a solver whose error is small but not round-off; otherwise NaN
      */
-    record Verdict(String find, String kind, double order) {
+    record Verdict(String find, String kind, boolean compared, double order) {
         Verdict(String find, String kind) {
-            this(find, kind, Double.NaN);
+            this(find, kind, false, Double.NaN);
         }
     }
 
@@ -106,7 +107,7 @@ final class Judge {
         try {
             Verdict verdict = judged(read(text), read(text.replace("impact: clamp", "impact: exact")));
             boolean timed = !Double.isNaN(verdict.order) && !verdict.kind.equals(CLAMP) && TIMED.matcher(text).find();
-            return timed ? new Verdict(verdict.find, verdict.kind + ", timed", verdict.order) : verdict;
+            return timed ? new Verdict(verdict.find, verdict.kind + ", timed", true, verdict.order) : verdict;
         } catch (InvalidInputException e) {
             return e.getMessage().contains("are at the same place") ? new Verdict("", "refused: at the same place")
                     : ofError(e);
@@ -168,7 +169,7 @@ final class Judge {
                     ? "the ledger does not close: " + whole.ledger() + ", " + exact.ledger() + ", " + fine.ledger()
                     : find;
         }
-        return new Verdict(find, struck && clamped ? CLAMP : solver.name() + (struck ? ", exact" : ""),
+        return new Verdict(find, struck && clamped ? CLAMP : solver.name() + (struck ? ", exact" : ""), true,
                 ordered ? Math.log(far / near) / Math.log(2) : Double.NaN);
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -40,6 +41,8 @@ final class SceneFuzzer {
     private final BrokenText texts = new BrokenText();
     private final Map<String, Integer> kinds = new TreeMap<>();
     private final Map<String, List<Double>> orders = new TreeMap<>();
+    /** Of each kind, how many were drawn, and how many of those were compared with a reference. */
+    private final Map<DrawnScene.Kind, int[]> hunted = new EnumMap<>(DrawnScene.Kind.class);
     private long executions;
     private int finds;
 
@@ -93,6 +96,13 @@ final class SceneFuzzer {
         if (!Double.isNaN(verdict.order())) {
             orders.computeIfAbsent(verdict.kind(), kind -> new ArrayList<>()).add(verdict.order());
         }
+        if (input.value instanceof DrawnScene scene) {
+            for (DrawnScene.Kind kind : scene.kinds()) {
+                int[] count = hunted.computeIfAbsent(kind, k -> new int[2]);
+                count[0]++;
+                count[1] += verdict.compared() ? 1 : 0;
+            }
+        }
         if (!verdict.find().isEmpty()) {
             Input least = shrunk(input, verdict.find());
             Files.createDirectories(found);
@@ -128,6 +138,12 @@ final class SceneFuzzer {
         });
     }
 
+    private String hunted() {
+        return hunted.entrySet().stream().map(kind -> kind.getValue()[0] + " of "
+                + kind.getKey().toString().toLowerCase(Locale.ROOT).replace('_', ' ') + " (" + kind.getValue()[1] + ")")
+                .collect(Collectors.joining(", "));
+    }
+
     private int sum(String pattern) {
         return kinds.keySet().stream().filter(kind -> kind.matches(pattern)).mapToInt(kinds::get).sum();
     }
@@ -137,9 +153,11 @@ final class SceneFuzzer {
         return String.format(Locale.ROOT, """
                 %d executions: %d texts built, %d scenes drawn; %d runs stopped; refused in %d ways
                 drawn scenes: %d cut short, %d not resolved, %d measure an order
+                hunted, in brackets compared with a reference: %s
                 %d finds""", executions, sum("built"), (executions + SCENE_EVERY - 1) / SCENE_EVERY, sum("stopped"),
                 kinds.keySet().stream().filter(kind -> kind.startsWith("refused")).count(), sum("cut|no reference"),
-                sum("not resolved"), orders.values().stream().mapToInt(List::size).sum(), finds);
+                sum("not resolved"), orders.values().stream().mapToInt(List::size).sum(), hunted(),
+                finds);
     }
 
     /** @param args {@code --seconds=20}, {@code --executions=10000000}, {@code --seed=1}, each may be left out */
