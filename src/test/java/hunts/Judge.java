@@ -132,8 +132,10 @@ final class Judge {
             return new Verdict(whole.stopped().map(Judge::ofStop).orElse(""), whole.stopped().isPresent() ? "stopped"
                     : "cut");
         }
-        SceneDescription finer = solver.adaptive() ? scene.withSolver(new SolverDescription(solver.name(), FINER))
-                : scene.withDeltaT(h / 2);
+        // a clamped impact is late by a part of deltaT, whatever the tolerance
+        SceneDescription shorter = solver.adaptive() && scene.exactImpacts() ? scene : scene.withDeltaT(h / 2);
+        SceneDescription finer = solver.adaptive() ? shorter.withSolver(new SolverDescription(solver.name(), FINER))
+                : shorter;
         Trial half = run(finer);
         String find = ofLaws(whole) + ofLaws(half);
         if (!find.isEmpty() || !half.isWhole() || whole.distance(half) > RESOLVED || whole.skips()) {
