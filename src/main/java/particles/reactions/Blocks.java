@@ -41,10 +41,8 @@ final class Blocks {
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
     private final List<Block> singles = new ArrayList<>();
     private final List<Block> joined = new ArrayList<>();
-    private final List<Block> touching = new ArrayList<>();
     private Block[] blockOf = {};                       // by particle; null for one that is not coupled
     private int joinedAt = -1;                          // the rows' count of changes
-    private int touchingAt = -1;                        // the modes', and the rows'
     private double[] accelerations = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
     private int solutions;
@@ -63,7 +61,7 @@ final class Blocks {
         this.modes = contacts.getModes();
         this.feedback = feedback;
         this.usuallyHeld = usuallyHeld;
-        lone = new LoneContacts(contacts, particles);
+        lone = new LoneContacts(this, contacts, particles);
     }
 
     Rows getRows() {
@@ -96,21 +94,6 @@ final class Blocks {
         return new Block(members, movable, rows, particles, contacts, usuallyHeld, activeSet);
     }
 
-    /** The blocks of the particles that touch a surface and are not coupled. */
-    List<Block> touching() {
-        int changes = modes.getChanges() + rows.getChanges();
-        if (touchingAt != changes) {
-            touchingAt = changes;
-            touching.clear();
-            for (int i = 0; i < modes.end(); i++) {
-                if (modes.isTouching(i) && !particles.isFixed(i) && !isCoupled(i)) {
-                    touching.add(of(i));
-                }
-            }
-        }
-        return touching;
-    }
-
     /** Whether a particle is on a rod or wire, or in contact with a ball. */
     boolean isCoupled(int particle) {
         joined();
@@ -140,40 +123,42 @@ final class Blocks {
     }
 
     /**
-     * Adds the forces of some blocks.
+     * Adds the forces of a block, after {@link #prepare}.
      *
      * @param force the forces of all effects (N)
+     * @param power what the power of each row is (W)
+     * @return the sum of the powers (W)
      */
-    void addForces(List<Block> some, double[] state, double time, double[] force) {
-        prepare(state, time);
-        for (int b = 0; b < some.size(); b++) {
-            Block block = some.get(b);
-            if (lone.handles(block)) {
-                lone.add(block, state, force);
-                continue;
-            }
-            solve(block, state, time, force);
-            block.addForces(force);
-            ConstraintCorrection.addRest(this, block, force);
-            for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
-                Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
-            }
-        }
-    }
-
-    /** The sum of a power over the rows of some blocks (W). */
-    double power(List<Block> some, double[] state, double time, double[] force, ToDoubleFunction<Row> power) {
-        prepare(state, time);
-        double sum = 0;
-        for (Block block : some) {
-            solve(block, state, time, force);
-            double ofBlock = 0;
-            for (Row row : block.rows) {
-                ofBlock += power.applyAsDouble(row);
-            }
-            sum += ofBlock;
+    double addForces(Block block, double[] state, double time, double[] force, ToDoubleFunction<Row> power) {
+        double sum = power(block, state, time, force, power);
+        block.addForces(force);
+        ConstraintCorrection.addRest(this, block, force);
+        for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
+            Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
         }
         return sum;
+    }
+
+    /** The sum of a power over the rows of a block (W), after {@link #prepare}. */
+    private double power(Block block, double[] state, double time, double[] force, ToDoubleFunction<Row> power) {
+        solve(block, state, time, force);
+        double sum = 0;
+        for (Row row : block.rows) {
+            sum += power.applyAsDouble(row);
+        }
+        return sum;
+    }
+
+    /** Adds the forces of all coupled particles to those of all effects (N). */
+    void addForces(double[] state, double time, double[] force) {
+        prepare(state, time);
+        joined().forEach(block -> addForces(block, state, time, force, row -> 0));
+    }
+
+    /** The sum of a power over the rows of all coupled particles (W). */
+    double power(double[] state, double time, double[] force, ToDoubleFunction<Row> power) {
+        prepare(state, time);
+        return joined().stream().mapToDouble(block -> power(block, state, time, force, power)).sum();
     }
 
     /**

@@ -21,31 +21,30 @@ final class ContactDerivative {
     private static final double[] STEPS = {-2, -1, 1, 2};
     private static final double[] WEIGHTS = {1 / 12.0, -2 / 3.0, 2 / 3.0, -1 / 12.0};
 
-    private final Blocks blocks;
-    private final double time;
     private final double[] byForce = new double[9];
     private final double[] byPosition = new double[9];
     private final double[] byVelocity = new double[9];
 
-    /** @param time t (s), for messages */
-    ContactDerivative(Blocks blocks, double time) {
-        this.blocks = blocks;
-        this.time = time;
+    private final double[] before = new double[3];
+
+    /** Turns the forces of all effects (N) into the total force on one particle. */
+    interface Contact {
+        void add(double[] force);
     }
 
     /**
-     * @param block a particle that touches a surface
-     * @param state the state, whose entries of the particle are varied and restored
-     * @param force the force before contact (N), likewise
+     * @param i         a particle that touches a surface
+     * @param curvature the largest of its surfaces (1/m)
+     * @param contact   its contact force, at the state as it is varied
+     * @param state     the state, whose entries of the particle are varied and restored
+     * @param force     the force before contact (N), likewise
      */
-    void add(Block block, double[] state, double[] force, ForceDerivatives derivatives) {
-        int i = block.particles[0];
-        block.take(state, Block.ALL);
-        double curvature = Arrays.stream(block.rows).mapToDouble(row -> row.surface.curvature(state, i)).max()
-                .orElse(0);
-        vary(block, force, STRIDE * i + 3, size(force, STRIDE * i + 3), state, force, byForce);
-        vary(block, state, STRIDE * i, curvature > 0 ? 1 / curvature : 0, state, force, byPosition);
-        vary(block, state, STRIDE * i + 3, size(state, STRIDE * i + 3), state, force, byVelocity);
+    void add(int i, double curvature, Contact contact, double[] state, double[] force,
+            ForceDerivatives derivatives) {
+        int f = STRIDE * i + 3;
+        vary(f, contact, force, f, size(force, f), force, byForce);
+        vary(f, contact, state, STRIDE * i, curvature > 0 ? 1 / curvature : 0, force, byPosition);
+        vary(f, contact, state, f, size(state, f), force, byVelocity);
         derivatives.transformRow(i, byForce);
         derivatives.add(i, i, byPosition, byVelocity);
     }
@@ -56,23 +55,23 @@ final class ContactDerivative {
     }
 
     /**
-     * Differentiates the total force on the block's particle, 0 if it is held, by the three entries of an array from an
+     * Differentiates the total force on a particle, whose entries begin at f, by the three entries of an array from an
      * index on; by none if the size is 0.
      */
-    private void vary(Block block, double[] vector, int place, double size, double[] state, double[] force,
+    private void vary(int f, Contact contact, double[] vector, int place, double size, double[] force,
             double[] result) {
-        int f = STRIDE * block.particles[0] + 3;
         double step = STEP * size;
         Arrays.fill(result, 0);
         for (int c = 0; c < 3 && size > 0; c++) {
             double value = vector[place + c];
             for (int k = 0; k < WEIGHTS.length; k++) {
                 vector[place + c] = value + STEPS[k] * step;
-                blocks.solve(block, state, time, force);
-                double[] total = blocks.addUp(block, force);
-                for (int row = 0; row < 3 && block.held.isEmpty(); row++) {
-                    result[3 * row + c] += WEIGHTS[k] / step * total[f + row];
+                System.arraycopy(force, f, before, 0, 3);
+                contact.add(force);
+                for (int row = 0; row < 3; row++) {
+                    result[3 * row + c] += WEIGHTS[k] / step * force[f + row];
                 }
+                System.arraycopy(before, 0, force, f, 3);
             }
             vector[place + c] = value;
         }

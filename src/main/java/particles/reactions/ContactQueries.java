@@ -177,8 +177,13 @@ public final class ContactQueries {
             return Double.POSITIVE_INFINITY;
         }
         double slowing = -Vector3.at(force, Particles.STRIDE * i + 3).dot(velocity) / speed;
-        for (Row row : push(i, state, force).rows) {
-            slowing += row.surface.friction().ofCoulomb(row.force);
+        int only = modes.only(i);
+        if (only >= 0) {
+            slowing += contacts.getSurfaces().get(only).friction().ofCoulomb(pushAlone(only, i, state, force));
+        } else {
+            for (Row row : push(i, state, force).rows) {
+                slowing += row.surface.friction().ofCoulomb(row.force);
+            }
         }
         return slowing > 0 ? system.getParticles().mass(i) * speed / slowing : Double.POSITIVE_INFINITY;
     }

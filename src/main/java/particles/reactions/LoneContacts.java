@@ -1,48 +1,97 @@
 package particles.reactions;
 
-import java.util.ArrayList;
-import java.util.List;
+import deSolvers.ForceDerivatives;
+import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * The contact forces of particles that slide on one surface each and are not coupled. The slides' closed form needs no
- * system of equations: on a cloth of 900 particles draped over a ball that took most of the time of a step.
+ * The contact forces of all particles that touch surfaces and are not coupled, in one loop over arrays. On one surface
+ * the slides' closed form needs no system of equations: a cloth of 900 particles draped over a ball has hundreds of
+ * such contacts, and a spring's force takes some nanoseconds. Particles on several surfaces are {@link Block}s.
  */
 final class LoneContacts {
+    /** In place of a surface: the particle sticks, so that the total force on it is 0. */
+    private static final int STICKS = -1;
+    /** In place of a surface: the particle slides on several. */
+    private static final int SEVERAL = -2;
+
+    private final Blocks blocks;
     private final RestingContacts contacts;
     private final ContactModes modes;
     private final Particles particles;
+    private int[] touching = {};
+    private int[] surface = {};                         // that each of these particles slides on
+    private int count;
+    private int gatheredAt = -1;                        // the modes' and the rows' counts of changes
+    private double[] total = {};
 
-    LoneContacts(RestingContacts contacts, Particles particles) {
+    LoneContacts(Blocks blocks, RestingContacts contacts, Particles particles) {
+        this.blocks = blocks;
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.particles = particles;
     }
 
-    /** Whether a block is such a particle. */
-    boolean handles(Block block) {
-        return !block.isJoined() && modes.only(block.particles[0]) >= 0 && !modes.isSticking(block.particles[0]);
+    private void gather() {
+        int changes = modes.getChanges() + blocks.getRows().getChanges();
+        if (gatheredAt == changes) {
+            return;
+        }
+        gatheredAt = changes;
+        count = 0;
+        if (touching.length < modes.end()) {
+            touching = new int[modes.end()];
+            surface = new int[modes.end()];
+        }
+        for (int i = 0; i < modes.end(); i++) {
+            if (modes.isTouching(i) && !particles.isFixed(i) && !blocks.isCoupled(i)) {
+                touching[count] = i;
+                int only = modes.only(i);
+                surface[count++] = modes.isSticking(i) ? STICKS : only >= 0 ? only : SEVERAL;
+            }
+        }
     }
 
-    /** Adds the contact force of such a particle to that of all effects (N); returns the power of friction (W). */
-    double add(Block block, double[] state, double[] force) {
-        int i = block.particles[0];
-        return contacts.getSliding().addAlone(i, particles.mass(i), contacts.getSurfaces().get(modes.only(i)),
+    /** Adds the contact forces to those of all effects (N); returns the power of friction (W). */
+    double addForces(double[] state, double time, double[] force) {
+        gather();
+        blocks.prepare(state, time);
+        double power = 0;
+        for (int k = 0; k < count; k++) {
+            power += add(k, state, time, force);
+        }
+        return power;
+    }
+
+    private double add(int k, double[] state, double time, double[] force) {
+        int i = touching[k];
+        if (surface[k] == SEVERAL) {
+            return blocks.addForces(blocks.of(i), state, time, force, row -> row.frictionPower(state));
+        }
+        if (surface[k] == STICKS) {
+            Arrays.fill(force, Particles.STRIDE * i + 3, Particles.STRIDE * (i + 1), 0.0);
+            return 0;
+        }
+        return contacts.getSliding().addAlone(i, particles.mass(i), contacts.getSurfaces().get(surface[k]),
                 !contacts.isHolding(), state, force);
     }
 
-    /** The power of friction on all particles of some blocks (W), each of which is one particle. */
-    double power(Blocks blocks, List<Block> some, double[] state, double time, double[] force) {
-        double[] total = force.clone();
-        double sum = 0;
-        List<Block> others = new ArrayList<>();
-        for (Block block : some) {
-            if (handles(block)) {
-                sum += add(block, state, total);
-            } else {
-                others.add(block);
-            }
+    /** The power of friction on these particles (W). */
+    double power(double[] state, double time, double[] force) {
+        total = total.length == force.length ? total : new double[force.length];
+        System.arraycopy(force, 0, total, 0, force.length);
+        return addForces(state, time, total);
+    }
+
+    /** Turns the derivatives of the forces so far (N) into those of the total forces. */
+    void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
+        gather();
+        blocks.prepare(state, time);
+        ContactDerivative derivative = new ContactDerivative();
+        for (int k = 0; k < count; k++) {
+            int contact = k;
+            derivative.add(touching[k], contacts.curvature(touching[k], state),
+                    sum -> add(contact, state, time, sum), state, force, derivatives);
         }
-        return sum + blocks.power(others, state, time, force, row -> row.frictionPower(state));
     }
 }

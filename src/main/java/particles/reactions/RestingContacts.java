@@ -176,6 +176,16 @@ public final class RestingContacts implements Reaction {
         return largest;
     }
 
+    /** The largest curvature of the surfaces that a particle touches (1/m). */
+    double curvature(int particle, double[] state) {
+        double largest = 0;
+        for (int p = 0; p < surfaces.size(); p++) {
+            largest = modes.get(p, particle) == Mode.FREE ? largest
+                    : Math.max(largest, surfaces.get(p).curvature(state, particle));
+        }
+        return largest;
+    }
+
     /** @return whether friction on a particle flips when it reverses, or may hold it */
     public boolean rubs(int particle) {
         return largest(particle, f -> Math.max(f.ofCoulomb(1), f.staticCoefficient())) > 0;
@@ -306,22 +316,18 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
-        blocks.prepare(state, time);
-        ContactDerivative derivative = new ContactDerivative(blocks, time);
-        for (Block block : blocks.touching()) {
-            derivative.add(block, state, force, derivatives);
-        }
+        blocks.getLone().addForceDerivatives(state, time, force, derivatives);
     }
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        blocks.addForces(blocks.touching(), state, time, force);
+        blocks.getLone().addForces(state, time, force);
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force, row -> row.frictionPower(state))
-                + blocks.getLone().power(blocks, blocks.touching(), state, time, force);
+        return blocks.power(state, time, force, row -> row.frictionPower(state))
+                + blocks.getLone().power(state, time, force);
     }
 
     @Override

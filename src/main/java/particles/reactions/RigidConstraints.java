@@ -116,13 +116,13 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        blocks.addForces(blocks.joined(), state, time, force);
+        blocks.addForces(state, time, force);
     }
 
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force,
+        return blocks.power(state, time, force,
                 row -> -row.force * row.rateOfAnchors(state, particles.getInverseMasses()));
     }
 
