@@ -19,25 +19,29 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
 
     @Override
     public double distance(double[] values, int place) {
-        double outside = fromCentre(values, place).length() - radius;
+        double outside = fromCentre(values, place) - radius;
         return hollow ? -outside : outside;
     }
 
-    private Vector3 fromCentre(double[] values, int place) {
-        return Vector3.at(values, place).minus(centre);
+    /** A point's distance from the centre (m); a plain root, as there may be thousands of contacts. */
+    private double fromCentre(double[] values, int place) {
+        double x = values[place] - centre.x();
+        double y = values[place + 1] - centre.y();
+        double z = values[place + 2] - centre.z();
+        return Math.sqrt(x * x + y * y + z * z);
     }
 
     /** {@inheritDoc} At the centre, where it is undefined, it points up. */
     @Override
     public Vector3 normal(double[] values, int place) {
-        Vector3 r = fromCentre(values, place);
-        double length = r.length();
-        return length == 0 ? new Vector3(0, 1, 0) : r.times((hollow ? -1 : 1) / length);
+        double length = fromCentre(values, place);
+        return length == 0 ? new Vector3(0, 1, 0)
+                : Vector3.at(values, place).minus(centre).times((hollow ? -1 : 1) / length);
     }
 
     @Override
     public double curvature(double[] values, int place) {
-        double length = fromCentre(values, place).length();
+        double length = fromCentre(values, place);
         return (hollow ? -1 : 1) / (length > 0 ? length : radius);
     }
 

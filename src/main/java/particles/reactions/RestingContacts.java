@@ -5,6 +5,7 @@ import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import particles.ParticleSystem;
 import particles.law.Particles;
@@ -53,9 +54,6 @@ public final class RestingContacts implements Reaction {
     private BlockImpacts impacts;
     private ContactQueries queries;
     private boolean holding;
-    private BitSet foreseen = new BitSet();             // particles that may stop within the next step
-    private double foreseenStep = Double.NaN;           // its length (s)
-    private double[] stoppingForce = {};                // of all effects where that was found out (N)
 
     /**
      * @param system   the system of the particles
@@ -204,58 +202,29 @@ public final class RestingContacts implements Reaction {
      * @return whether the forces could stop any sliding particle within that time
      */
     public boolean mayStopWithin(double time) {
-        return !stoppingWithin(time).isEmpty();
+        double[] force = new double[system.getStateSize()];
+        system.addUpEffects(system.getOwnState(), system.getTime(), force);
+        return !findStopping(time, () -> force).isEmpty();
     }
 
-    /** The sliding particles that the forces could stop within a time (s); a loop, since each step asks. */
-    private BitSet stoppingWithin(double time) {
+    /**
+     * Finds the sliding particles that the forces could stop; a loop, since each step asks.
+     *
+     * @param time   the length of time from now (s)
+     * @param forces the total force of all effects (N), asked for if any particle slides
+     */
+    public BitSet findStopping(double time, Supplier<double[]> forces) {
         BitSet stopping = new BitSet();
         double[] state = system.getOwnState();
-        double[] force = {};
-        stoppingForce = force;
         for (int i = 0; i < modes.end(); i++) {
             double rubbing = modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
             if (rubbing > 0) {
-                if (force.length == 0) {
-                    force = new double[system.getStateSize()];
-                    system.addUpEffects(state, system.getTime(), force);
-                    stoppingForce = force;
-                }
                 double speed = Vector3.at(state, STRIDE * i + 3).length();
-                double pull = Vector3.at(force, STRIDE * i + 3).length() / particles.mass(i);
+                double pull = Vector3.at(forces.get(), STRIDE * i + 3).length() / particles.mass(i);
                 stopping.set(i, speed <= STOPS * time * (1 + rubbing) * pull);
             }
         }
         return stopping;
-    }
-
-    /**
-     * Lets Coulomb friction act as an impulse over the step that begins, on all particles that it may stop in that
-     * step: as a constant force that brings the particle to rest at the end of the step, as far as the friction cone
-     * allows. Near a stop the direction of exact friction turns as fast as that of the velocity. Implicit solvers then
-     * do not converge and adaptive ones make no progress, above all where springs stop and start a particle again and
-     * again. For all other particles friction remains exact.
-     *
-     * @param deltaT the length of the step (s)
-     */
-    public void stopWithinStep(double deltaT) {
-        BitSet stopping = deltaT == foreseenStep ? foreseen : stoppingWithin(deltaT);
-        foreseenStep = Double.NaN;
-        for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
-            sliding.stopWithinStep(i, particles.mass(i) / deltaT);
-        }
-    }
-
-    /**
-     * Whether friction acts as an impulse on any particle in the next step. Its law then differs from that of the step
-     * before, and solvers must not use earlier forces.
-     *
-     * @param deltaT the length of the next step (s)
-     */
-    public boolean foreseeStops(double deltaT) {
-        foreseen = stoppingWithin(deltaT);
-        foreseenStep = deltaT;
-        return !foreseen.isEmpty();
     }
 
     /**
@@ -270,13 +239,14 @@ public final class RestingContacts implements Reaction {
         return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
     }
 
-    /** @return how long sliding friction takes to stop a particle that {@link #mayStop}, from the step's start (s) */
-    public double stoppingTime(int particle) {
-        double[] state = sliding.getStepBegin();
-        return queries.stoppingTime(particle, Vector3.at(state, STRIDE * particle + 3), state, stoppingForce);
-    }
-
-    /** Lets friction stop a particle this time (s) after the step's start. */
+    /**
+     * Lets Coulomb friction act on a particle as an impulse over the step that begins: as a constant force that brings
+     * it to rest after a time, as far as the friction cone allows. Near a stop the direction of exact friction turns as
+     * fast as that of the velocity. Implicit solvers then do not converge and adaptive ones make no progress, above all
+     * where springs stop and start a particle again and again.
+     *
+     * @param time from the step's start to the stop (s)
+     */
     public void stopAfter(int particle, double time) {
         sliding.stopWithinStep(particle, particles.mass(particle) / time);
     }
@@ -351,7 +321,6 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void reindex(int[] newIndex) {
-        foreseenStep = Double.NaN;
         modes.reindex(newIndex);
         sliding.forget();
     }

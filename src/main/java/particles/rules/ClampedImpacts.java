@@ -1,6 +1,7 @@
 package particles.rules;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,7 +28,7 @@ import particles.reactions.RestingContacts;
  * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
  * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
  * friction's threshold or has reversed within a step, if static friction can hold it. In a step in which Coulomb
- * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopWithinStep}; where that would let
+ * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopAfter}; where that would let
  * it slide visibly too far, the step is divided at the stop.
  */
 public final class ClampedImpacts extends Impacts implements EventRule {
@@ -40,6 +41,9 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
     private final boolean hasSpheres;
+    private BitSet foreseen = new BitSet();             // particles that may stop within the next step
+    private double foreseenStep = Double.NaN;           // its length (s)
+    private int foreseenAt;                             // the modes' count of changes
     private double[] arrived = {};                      // the state at the end of the step, before clamping
 
     /** Impacts are at one moment if their times differ by less than this fraction of the step. */
@@ -61,16 +65,21 @@ public final class ClampedImpacts extends Impacts implements EventRule {
 
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
+        boolean isForeseen = deltaT == foreseenStep && modes.getChanges() == foreseenAt;
         super.beforeStep(system, deltaT);
+        forceKnown = isForeseen;
+        foreseenStep = Double.NaN;
+        BitSet stopping = isForeseen ? foreseen : contacts.findStopping(deltaT, this::forces);
+        double[] state = system.getOwnState();
         stepEnd = system.getTime() + deltaT;
-        contacts.stopWithinStep(deltaT);
         stops.clear();
-        for (int i = 0; i < modes.end(); i++) {
-            double time = contacts.mayStop(i) && !contacts.isCoupled(i) ? contacts.stoppingTime(i) : deltaT;
-            double[] state = system.getOwnState();
+        for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
+            double time = contacts.isCoupled(i) ? deltaT
+                    : contacts.getQueries().stoppingTime(i, velocity(state, i), state, forces());
             double farther = velocity(state, i).length() * (deltaT - time) / 2;
-            if (time < deltaT && farther > FAR * (1 + Vector3.at(state, STRIDE * i).norm1())) {
-                contacts.stopAfter(i, time);
+            boolean divides = time < deltaT && farther > FAR * (1 + Vector3.at(state, STRIDE * i).norm1());
+            contacts.stopAfter(i, divides ? time : deltaT);
+            if (divides) {
                 stops.put(i, system.getTime() + time);
             }
         }
@@ -100,6 +109,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
             arrived = new double[system.getStateSize()];
         }
         system.getState(arrived);
+        forceKnown = false;
         boolean changed = false;
         boolean coupledChanged = false;
         List<Below> below = new ArrayList<>();
@@ -128,13 +138,16 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         }
         if (coupledChanged) {
             contacts.putBack();
-            forceKnown = false;
         }
+        forceKnown &= below.isEmpty() && !coupledChanged;
         // last, since a rod between two sticking particles could no longer be corrected
         for (int i = 0; i < modes.end(); i++) {
             changed |= slideOrStick(i);
         }
-        return contacts.foreseeStops(whole) || changed;
+        foreseen = contacts.findStopping(whole, this::forces);
+        foreseenStep = whole;
+        foreseenAt = modes.getChanges();
+        return !foreseen.isEmpty() || changed;          // friction as an impulse has a new direction in each step
     }
 
     /** Finds out whether a particle that was free is below a surface now, and when it crossed it. */
@@ -180,7 +193,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
                 double leaving = surface.bounce().restitution() * atSurface;
                 boolean rests = leaving <= most[k];
                 // a particle that rests stays on others where it would be back in half a step
-                Vector3 pull = rests && !contacts.isCoupled(i)
+                Vector3 pull = rests && modes.isTouching(i) && !contacts.isCoupled(i)
                         ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
                 meetings.add(new Meeting(p, i, rests ? 0 : leaving, pull));
             } else {
@@ -217,7 +230,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         double[] state = system.getOwnState();
         ContactSurface surface = surfaces.get(p);
         boolean isFlat = surface.obstacle().isFlat();
-        double distance = surface.distance(state, i);
+        double distance = isFlat ? surface.distance(state, i) : 0;
         boolean leaves = isFlat ? distance > slack(state, i) : pressure(p, i) < 0;
         boolean isBelow = distance < -slack(state, i);
         if (leaves) {
