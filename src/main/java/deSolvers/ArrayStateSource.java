@@ -24,6 +24,20 @@ public interface ArrayStateSource extends DEStateSource {
     void getStateDerivative(double[] state, double[] dSdt);
 
     /**
+     * Computes deltaT times the derivative; a source overrides it where that saves a pass over the array.
+     *
+     * @param state  a state; n long
+     * @param deltaT the time step (s)
+     * @param deltaS receives deltaT ds/dt at that state and the current time; n long, another array
+     */
+    default void getIncrement(double[] state, double deltaT, double[] deltaS) {
+        getStateDerivative(state, deltaS);
+        for (int i = 0; i < deltaS.length; i++) {
+            deltaS[i] *= deltaT;
+        }
+    }
+
+    /**
      * Sets the state as {@link #setState}, but takes the array itself where that saves a copy.
      *
      * @param state the new state; n long; the caller must not use it any more

@@ -95,9 +95,15 @@ public abstract class FixedStepSolver extends DESolver {
      * @throws DESolverException as {@link #derivative}
      */
     protected final double[] eulerStep(double[] s, double deltaT) {
-        double[] k = derivative(s);
-        for (int i = 0; i < k.length; i++) {
-            k[i] *= deltaT;
+        double[] k = next();
+        transaction.getIncrement(s, deltaT, k);
+        int entry = evaluations++ < checked ? StepTransaction.firstNonFinite(k) : -1;
+        if (entry >= 0) {
+            double[] dSdt = next();
+            transaction.getStateDerivative(s, dSdt);
+            transaction.requireFinite(dSdt);
+            throw transaction.failure(entry, "entry " + entry + " of the derivative times deltaT is " + k[entry],
+                    "deltaT is probably too large");
         }
         return k;
     }

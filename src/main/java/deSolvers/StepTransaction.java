@@ -91,6 +91,19 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         }
     }
 
+    /** As {@link #getStateDerivative}, times deltaT. */
+    void getIncrement(double[] state, double deltaT, double[] deltaS) {
+        if (direct) {
+            ((ArrayStateSource) client).getIncrement(state, deltaT, deltaS);
+            return;
+        }
+        client.setState(state);
+        client.getStateDerivative(deltaS);
+        for (int i = 0; i < deltaS.length; i++) {
+            deltaS[i] *= deltaT;
+        }
+    }
+
     /**
      * Ends the step: checks that the new state is finite, gives it to the client and moves the clock to t + deltaT.
      * With deltaT = 0 the client is left exactly as it was found.

@@ -260,9 +260,14 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
 
     @Override
     public void getStateDerivative(double[] state, double[] dSdt) {
+        getIncrement(state, 1, dSdt);
+    }
+
+    @Override
+    public void getIncrement(double[] state, double deltaT, double[] deltaS) {
         evaluations++;
-        forces.derivative(anchors.shownIn(state, time), time, dSdt);
-        anchors.hide(dSdt);
+        forces.derivative(anchors.shownIn(state, time), time, deltaT, deltaS);
+        anchors.hide(deltaS);
     }
 
     /** The state array itself, for solvers; with moving anchors a copy, in which their places are 0. */

@@ -103,6 +103,14 @@ class FixedStepSolverTest {
         }
     }
 
+    @Test
+    void anIncrementThatOverflowsIsNamed() {
+        SteadyRates source = new SteadyRates(2, 1e300);
+        source.badAt = 0;
+        Steps.assertFails(DESolverException.class, "entry 2 of the derivative times deltaT is Infinity",
+                () -> new MidpointSolver().stepState(source, 1e10));
+    }
+
     /** ds/dt = 1 in every entry and at any state, but for one entry at one evaluation. */
     private static final class SteadyRates extends SecondOrderProblem {
         private final int entry;

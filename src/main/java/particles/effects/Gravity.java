@@ -1,9 +1,9 @@
 package particles.effects;
 
 import java.util.Set;
+import particles.law.ConstantForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
-import particles.law.PerParticleEffect;
 import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.Values;
@@ -15,7 +15,7 @@ import particles.spec.VectorType;
  * <p>Potential energy -m g . x, zero at the origin. Source: COMPSCI 715 (2003), slides "A Particle System" and
  * "Mass-Spring System (cont'd)".
  */
-public final class Gravity implements PerParticleEffect, DifferentiableEffect {
+public final class Gravity implements ConstantForce, DifferentiableEffect {
     private final Particles particles;
     private final Vector3 g;
 
@@ -37,11 +37,6 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
     @Override
     public Set<Trait> getTraits() {
         return Set.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
-    }
-
-    @Override
-    public boolean dependsOnVelocity() {
-        return false;
     }
 
     @Override

@@ -4,9 +4,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import particles.law.ConstantForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
-import particles.law.PerParticleEffect;
 import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.ListType;
@@ -18,7 +18,7 @@ import particles.spec.VectorType;
  * A constant force F on some particles, the same for any mass. Potential energy -F . x on each of them, zero at the
  * origin.
  */
-public final class Push implements PerParticleEffect, DifferentiableEffect {
+public final class Push implements ConstantForce, DifferentiableEffect {
     private final Particles particles;
     private final Vector3 force;
     private BitSet pushed;
@@ -49,11 +49,6 @@ public final class Push implements PerParticleEffect, DifferentiableEffect {
     @Override
     public Set<Trait> getTraits() {
         return Set.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
-    }
-
-    @Override
-    public boolean dependsOnVelocity() {
-        return false;
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.law.BriefForce;
+import particles.law.ConstantForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -17,10 +18,12 @@ public final class ForceSum {
     /** Particles whose state and derivative stay in the processor's nearest cache while all effects act on them. */
     private static final int CHUNK = 256;
     private final Particles particles;
+    private final ConstantForces constant;              // of the first effects, until one varies
     private Optional<Parallel> parallel = Optional.empty();
     // arrays, since loops over lists allocate
     private Effect[] effects = {};
     private PerParticleEffect[] perParticle = {};
+    private PerParticleEffect[] varying = {};           // those from the first one on that is not constant
     private Effect[] others = {};
     private BriefForce[] brief = {};
     private Reaction[] reactions = {};
@@ -32,12 +35,13 @@ public final class ForceSum {
         boolean pays();
 
         /** As {@link ForceSum#derivative}. */
-        void derivative(double[] state, double time, double[] dSdt);
+        void derivative(double[] state, double time, double factor, double[] dSdt);
     }
 
     /** Begins without forces. */
     public ForceSum(Particles particles) {
         this.particles = particles;
+        constant = new ConstantForces(particles);
     }
 
     /** @return the particles */
@@ -50,6 +54,11 @@ public final class ForceSum {
         effects = append(effects, effect);
         if (effect instanceof PerParticleEffect each) {
             perParticle = append(perParticle, each);
+            if (each instanceof ConstantForce force && varying.length == 0) {
+                constant.add(force);
+            } else {
+                varying = append(varying, each);
+            }
         } else {
             others = append(others, effect);
         }
@@ -79,19 +88,20 @@ public final class ForceSum {
         return List.of(reactions);
     }
 
-    /** Computes the derivative (v, F/m) of a state. */
-    public void derivative(double[] state, double time, double[] dSdt) {
+    /** Computes a multiple of the derivative (v, F/m) of a state. */
+    public void derivative(double[] state, double time, double factor, double[] dSdt) {
+        constant.update(state, time);
         if (parallel.isPresent() && parallel.get().pays()) {
-            parallel.get().derivative(state, time, dSdt);
+            parallel.get().derivative(state, time, factor, dSdt);
             return;
         }
         int n = particles.count();
-        begin(state, time, dSdt, 0, n);
+        begin(state, time, factor, dSdt, 0, n);
         for (Effect effect : others) {
             effect.addForces(state, time, dSdt);
         }
         addReactions(state, time, dSdt);
-        finish(dSdt, 0, n);
+        finish(factor, dSdt, 0, n);
     }
 
     /** The effects that act on each particle separately. */
@@ -109,40 +119,25 @@ public final class ForceSum {
         parallel = other;
     }
 
-    /** Computes (v, F) of the particles first ... end - 1, with the forces of the per-particle effects. */
-    public void begin(double[] state, double time, double[] dSdt, int first, int end) {
+    /** Computes (factor v, F) of the particles first ... end - 1, with the forces of the per-particle effects. */
+    public void begin(double[] state, double time, double factor, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += CHUNK) {
             int to = Math.min(end, from + CHUNK);
-            putVelocities(state, dSdt, from, to);
-            for (PerParticleEffect effect : perParticle) {
+            constant.put(state, factor, dSdt, from, to);
+            for (PerParticleEffect effect : varying) {
                 effect.addForces(state, time, dSdt, from, to);
             }
         }
     }
 
-    /** Computes (v, 0) of these particles. */
-    private static void putVelocities(double[] state, double[] dSdt, int from, int to) {
-        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
-            double vx = state[x + 3];
-            double vy = state[x + 4];
-            double vz = state[x + 5];
-            dSdt[x] = vx;
-            dSdt[x + 1] = vy;
-            dSdt[x + 2] = vz;
-            dSdt[x + 3] = 0;
-            dSdt[x + 4] = 0;
-            dSdt[x + 5] = 0;
-        }
-    }
-
-    /** Turns (v, F) into the derivative (v, F/m). */
-    public void finish(double[] dSdt, int from, int to) {
+    /** Turns (factor v, F) into factor (v, F/m). */
+    public void finish(double factor, double[] dSdt, int from, int to) {
         double[] inverseMasses = particles.getInverseMasses();
         for (int v = STRIDE * from + 3, i = from; v < STRIDE * to; v += STRIDE, i++) {
             double inverseMass = inverseMasses[i];
-            dSdt[v] *= inverseMass;
-            dSdt[v + 1] *= inverseMass;
-            dSdt[v + 2] *= inverseMass;
+            dSdt[v] = dSdt[v] * inverseMass * factor;
+            dSdt[v + 1] = dSdt[v + 1] * inverseMass * factor;
+            dSdt[v + 2] = dSdt[v + 2] * inverseMass * factor;
         }
     }
 

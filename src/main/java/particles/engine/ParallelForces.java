@@ -28,6 +28,7 @@ public final class ParallelForces implements ForceSum.Parallel {
     private long aloneUntil = System.nanoTime();
     private double[] state;
     private double time;
+    private double factor;
     private double[] dSdt;
     private DivisibleEffect divisible;
     private int items;                                  // particles or blocks to be shared out, in pieces
@@ -75,9 +76,10 @@ public final class ParallelForces implements ForceSum.Parallel {
     }
 
     @Override
-    public void derivative(double[] state, double time, double[] dSdt) {
+    public void derivative(double[] state, double time, double factor, double[] dSdt) {
         this.state = state;
         this.time = time;
+        this.factor = factor;
         this.dSdt = dSdt;
         shared.begin();
         share(particles.count(), beginning);
@@ -109,7 +111,7 @@ public final class ParallelForces implements ForceSum.Parallel {
     }
 
     private void beginPiece(int piece) {
-        forces.begin(state, time, dSdt, cut(piece), cut(piece + 1));
+        forces.begin(state, time, factor, dSdt, cut(piece), cut(piece + 1));
     }
 
     private void addPiece(int piece) {
@@ -119,7 +121,7 @@ public final class ParallelForces implements ForceSum.Parallel {
     }
 
     private void finishPiece(int piece) {
-        forces.finish(dSdt, cut(piece), cut(piece + 1));
+        forces.finish(factor, dSdt, cut(piece), cut(piece + 1));
     }
 
     /** The first item of a piece. */

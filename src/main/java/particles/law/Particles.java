@@ -20,6 +20,7 @@ public final class Particles {
     private double[] masses = new double[8];
     private double[] inverseMasses = new double[8];
     private double[] radii = new double[8];
+    private long version;
 
     private record Life(String id, double birthTime, double deathTime) {
     }
@@ -58,6 +59,7 @@ public final class Particles {
             radii = Arrays.copyOf(radii, i + i / 2);
         }
         lives.add(new Life(id, birthTime, Double.POSITIVE_INFINITY));
+        version++;
         masses[i] = mass;
         radii[i] = 0;
         inverseMasses[i] = fixed ? 0 : 1 / mass;
@@ -85,11 +87,17 @@ public final class Particles {
     /** Removes all particles from this index on. */
     public void shrinkTo(int count) {
         lives.subList(count, count()).clear();
+        version++;
     }
 
     /** @return the number of particles */
     public int count() {
         return lives.size();
+    }
+
+    /** @return a number that changes whenever particles are added or removed */
+    public long getVersion() {
+        return version;
     }
 
     /** @return the id of particle i, unique in the whole run */

@@ -5,9 +5,9 @@
  * spheres and the motions of anchors.
  *
  * <p>To write a force law, read {@link particles.law.ParticleForce} or {@link particles.law.Effect}; nothing else is
- * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect},
- * {@link particles.law.DifferentiableEffect}) make a law faster or give implicit solvers exact derivatives; with {@link
- * particles.law.BriefForce}, adaptive solvers do not step across a law that acts for a short time only. A law without
- * them works too.
+ * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.ConstantForce},
+ * {@link particles.law.DivisibleEffect}, {@link particles.law.DifferentiableEffect}) make a law faster or give implicit
+ * solvers exact derivatives; with {@link particles.law.BriefForce}, adaptive solvers do not step across a law that acts
+ * for a short time only. A law without them works too.
  */
 package particles.law;

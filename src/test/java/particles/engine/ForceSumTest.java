@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.effects.AirDrag;
 import particles.effects.Gravity;
 import particles.effects.GustyWind;
+import particles.effects.Push;
 import particles.effects.Wind;
 import particles.law.ParticleForce;
 import particles.law.Particles;
@@ -66,6 +68,24 @@ class ForceSumTest {
         system.addEffect(AirDrag.linear(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
         system.addEffect(new Gravity(particles, G));
         assertArrayEquals(byLoops(), derivative(), "several of each");
+    }
+
+    /** Constant forces are evaluated once, and again for other particles: the third time for as many as before. */
+    @Test
+    void constantForcesFollowTheParticles() {
+        system.addEffect(new Gravity(particles, G));
+        system.addEffect(new Push(particles, IntStream.of(1, 2, N - 1), G));
+        system.addEffect(AirDrag.linear(particles, 0.25, Wind.STILL));
+        assertArrayEquals(byLoops(), derivative());
+        state[3] = 5;
+        system.setState(state);
+        assertArrayEquals(byLoops(), derivative(), "another velocity");
+        boolean[] gone = new boolean[N];
+        gone[1] = true;
+        system.removeParticles(gone);
+        system.addParticle("new", 7, Vector3.ZERO, Vector3.ZERO, false);
+        system.getState(state);
+        assertArrayEquals(byLoops(), derivative(), "one left, another came");
     }
 
     /** Effects without ranges come after those with ranges, which changes the round-off of three terms. */

@@ -76,16 +76,19 @@ class SpringTable implements SpringView {
         arranged = false;
     }
 
+    /** @return the number of blocks; sorts and divides the springs if some were added or removed */
+    public final int countBlocks() {
+        if (!arranged) {
+            arrange();
+        }
+        return blocks;
+    }
+
     /**
      * Sorts the springs by their first particle, so that its position, velocity and force stay in registers for all of
      * its springs; then divides them into blocks.
-     *
-     * @return the number of blocks
      */
-    public final int countBlocks() {
-        if (arranged) {
-            return blocks;
-        }
+    private void arrange() {
         arranged = true;
         put(order(from));
         // a power of two, so that two or four threads get as much to do
@@ -107,7 +110,6 @@ class SpringTable implements SpringView {
         for (int s = 0; s < count; s++) {
             owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
         }
-        return blocks;
     }
 
     /** @return the first spring of a part; it ends where the next one begins */
