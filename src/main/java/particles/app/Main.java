@@ -18,18 +18,9 @@ import particles.app.course.AutogradingCommand;
 import particles.app.course.GradeClassCommand;
 import particles.app.course.GradeCommand;
 import particles.app.course.SheetsCommand;
-import particles.app.experiments.EffectCostCommand;
-import particles.app.experiments.EnergyDriftCommand;
 import particles.app.experiments.ExperimentCommand;
-import particles.app.experiments.LectureFiguresCommand;
-import particles.app.experiments.PhasePlotsCommand;
-import particles.app.experiments.RaceCommand;
 import particles.app.experiments.ReportCommand;
-import particles.app.experiments.StabilityCommand;
-import particles.app.experiments.StiffClothCommand;
-import particles.app.experiments.StiffGalleryCommand;
 import particles.app.experiments.SweepCommand;
-import particles.app.experiments.WorkPrecisionCommand;
 import particles.app.run.GalleryCommand;
 import particles.app.run.LabCommand;
 import particles.app.run.RunCommand;
@@ -87,11 +78,7 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     public static List<ProgramCommand> commands(StopRequest stop) {
-        // in the order of the report
-        List<ExperimentCommand> experiments = List.of(new LectureFiguresCommand(), new EnergyDriftCommand(),
-                new PhasePlotsCommand(), new RaceCommand(), new WorkPrecisionCommand(),
-                new StiffGalleryCommand(), new StabilityCommand(), new EffectCostCommand(),
-                new StiffClothCommand());
+        List<ExperimentCommand> experiments = ReportCommand.experiments();
         List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, stop),
                 new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
         commands.addAll(experiments);

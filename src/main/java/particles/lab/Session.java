@@ -25,16 +25,18 @@ import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.scene.BlowUpMessage;
-import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverDescription.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.JsonText;
+import particles.spec.Setting;
 import particles.spec.messages.InvalidInputException;
+import particles.spec.messages.Problems;
 
 /**
  * The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. The
@@ -87,14 +89,17 @@ public final class Session {
     public String open(String file, String text, String solver, String deltaT, double tolerance) {
         try {
             byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-            SceneDescription described = SceneReader.read(file, bytes, classes);
+            Problems problems = new Problems();
+            List<Setting> typed = deltaT.isEmpty() ? List.of() : Setting.of(SceneFormat.DELTA_T, deltaT, "deltaT",
+                    problems).stream().toList();
+            problems.throwIfAny();
+            SceneDescription described = SceneReader.read(file, bytes, classes, typed);
             boolean same = solver.isEmpty() || solver.equals(described.solver());
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
                     : same ? described.solving().tolerances() : Optional.empty();
-            Overrides typed = new Overrides(name -> name).with("deltaT", deltaT.isEmpty() ? null : deltaT);
-            Scene scene = SceneBuilder.build(typed.applyTo(described
-                    .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))));
+            Scene scene = SceneBuilder.build(described.withSolver(new SolverDescription(
+                    same ? described.solver() : solver, tolerances)));
             run = new LabRun(scene);
             shown = run.getShown();
             failure = "";

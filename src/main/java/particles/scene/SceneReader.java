@@ -113,8 +113,13 @@ public final class SceneReader {
 
     /** As {@link #read(String, byte[])}, with classes as in {@link #read(Path, ClassNames)}. */
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
+        return read(source, bytes, classes, List.of());
+    }
+
+    /** The same, with these values in place of the scene's own. */
+    public static SceneDescription read(String source, byte[] bytes, ClassNames classes, List<Setting> settings) {
         return read(source, bytes, classes, (name, place, problems) -> problems.add(place,
-                "no other file can be read here; put its text under 'files'"));
+                "no other file can be read here; put its text under 'files'"), settings);
     }
 
     /**

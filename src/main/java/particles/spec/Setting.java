@@ -17,6 +17,7 @@ import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
@@ -64,6 +65,22 @@ public final class Setting {
         }
         return YamlText.compose(value.getBytes(StandardCharsets.UTF_8), new Reading(place, problems))
                 .map(node -> new Setting(key, place, at(node, mark(place))));
+    }
+
+    /**
+     * Reads an option that stands for a key at the top of a file; its value is checked as in a file.
+     *
+     * @param key      the key
+     * @param text     the value as it was typed
+     * @param option   the option as it was typed, such as {@code -PdeltaT}; the place of all problems
+     * @param problems receives the problems
+     * @return the setting, or empty if a problem was reported
+     */
+    public static Optional<Setting> of(Key<?> key, String text, String option, Problems problems) {
+        Node node = new ScalarNode(new CoreSchema().getScalarResolver().resolve(text, true), true, text,
+                ScalarStyle.PLAIN, mark(option), mark(option));
+        return key.type().read(node, "the value", new Reading(option, problems)).map(value ->
+                new Setting(key.name(), option, node));
     }
 
     /**

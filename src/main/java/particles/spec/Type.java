@@ -2,11 +2,7 @@ package particles.spec;
 
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.snakeyaml.engine.v2.common.ScalarStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
-import org.snakeyaml.engine.v2.nodes.ScalarNode;
-import org.snakeyaml.engine.v2.schema.CoreSchema;
-import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
 /**
@@ -25,19 +21,6 @@ public interface Type<T> {
      * @return the value, or empty if a problem was reported
      */
     Optional<T> read(Node node, String what, Reading in);
-
-    /**
-     * Reads a value that was given as an option; it is checked as in a file.
-     *
-     * @param text     the value as it was typed
-     * @param option   the option as it was typed, such as {@code -PdeltaT}; the place of all problems
-     * @param problems receives the problems
-     * @return the value, or empty if a problem was reported
-     */
-    default Optional<T> readOption(String text, String option, Problems problems) {
-        Node node = new ScalarNode(new CoreSchema().getScalarResolver().resolve(text, true), text, ScalarStyle.PLAIN);
-        return read(node, "the value", new Reading(option, problems));
-    }
 
     /** @return a key that must be given */
     default Key<T> required(String name, String sentence) {

@@ -23,7 +23,6 @@ import particles.app.cli.ProgramCommand;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
 
 /** Tasks, options, tables and links in README exist. */
 class ReadmeTest {
@@ -106,7 +105,7 @@ class ReadmeTest {
         List<String> tasks = matches(Pattern.compile("(?m)^program ('[^']*', '[^']*')"), BUILD);
         Set<String> commands = new TreeSet<>();
         for (ProgramCommand command : Main.commands(new StopRequest())) {
-            String[] sentence = command.getClass().getAnnotation(Command.class).description();
+            String[] sentence = new CommandLine(command).getCommandSpec().usageMessage().description();
             commands.add("'" + command.name() + "', '" + String.join(" ", sentence) + "'");
         }
         assertEquals(commands, new TreeSet<>(tasks));

@@ -1,7 +1,7 @@
 package particles.scene;
 
 import java.util.Optional;
-import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -19,10 +19,12 @@ public final class Advised {
      * @return the same scene as advised; empty if the message names no option and no value of the scene
      */
     public static Optional<SceneDescription> by(String lines, SceneDescription scene) {
-        Overrides options = new Overrides(UnaryOperator.identity());
-        OPTION.matcher(lines).results().forEach(found -> options.with(found.group(1), found.group(2)));
+        SceneDescription changed = scene;
+        for (Matcher option = OPTION.matcher(lines); option.find();) {
+            changed = option.group(1).equals("solver") ? changed.withSolver(option.group(2))
+                    : changed.withDeltaT(Double.parseDouble(option.group(2)));
+        }
         boolean clamp = lines.contains("impact: clamp in the scene");
-        SceneDescription changed = options.applyTo(scene);
         return clamp || OPTION.matcher(lines).find() ? Optional.of(clamp ? changed.with(SceneFormat.IMPACT, "clamp")
                 : changed) : Optional.empty();
     }

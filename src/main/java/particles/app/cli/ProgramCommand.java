@@ -5,8 +5,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import particles.spec.Key;
 import particles.spec.Setting;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
@@ -27,7 +30,7 @@ public abstract class ProgramCommand {
     }
 
     /** @return the failure for a wrong option */
-    protected final InvalidInputException wrong(String option, String why) {
+    public final InvalidInputException wrong(String option, String why) {
         return new InvalidInputException("option " + style.option(option) + ": " + why);
     }
 
@@ -58,6 +61,25 @@ public abstract class ProgramCommand {
         return settings;
     }
 
+    /**
+     * Reads options that stand for keys of a scene.
+     *
+     * @param mistakes receives a line for each wrong one
+     * @param keys     the keys, whose names the options have
+     * @param typed    a value for each; null, as the parser has it, if the option was not given
+     * @return the settings
+     */
+    public final Supplier<List<Setting>> settings(Mistakes mistakes, List<Key<?>> keys, String... typed) {
+        return mistakes.value(() -> {
+            Problems problems = new Problems();
+            List<Setting> settings = IntStream.range(0, typed.length).filter(k -> typed[k] != null).mapToObj(k ->
+                    Setting.of(keys.get(k), typed[k], style.option(keys.get(k).name()), problems))
+                    .flatMap(Optional::stream).toList();
+            problems.throwIfAny();
+            return settings;
+        });
+    }
+
     /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */
     protected final void requireWithin(String option, int value, int least, int most) {
         if (value < least || value > most) {
@@ -67,7 +89,7 @@ public abstract class ProgramCommand {
     }
 
     /** @return the command's name, which is its task's */
-    public final String name() {
+    public String name() {
         return getClass().getAnnotation(Command.class).name();
     }
 

@@ -7,10 +7,11 @@ import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.Overrides;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+import particles.spec.Setting;
 import picocli.CommandLine.Option;
 
 /** The options of experiments that run a scene with several solvers. */
@@ -35,16 +36,32 @@ final class SceneOptions {
 
     /** Reads the options; these scene and solvers are the default. */
     void read(Mistakes mistakes, ResultsCommand command, String standardScene, String standardSolvers) {
-        Overrides overrides = new Overrides(command.getStyle()::option).with("deltaT", deltaT)
-                .with("duration", duration);
-        mistakes.check(overrides::check);
-        description = mistakes.value(() -> overrides.applyTo(read(scene == null ? standardScene : scene)));
+        Supplier<List<Setting>> settings = command.settings(mistakes, List.of(SceneFormat.DELTA_T,
+                SceneFormat.DURATION), deltaT, duration);
+        scene = scene == null ? standardScene : scene;
+        if (!scene.isEmpty()) {
+            Supplier<Path> file = mistakes.value(() -> SceneFiles.find(SCENES, scene));
+            description = mistakes.value(() -> read(file.get(), settings.get()));
+        }
         choices = mistakes.value(() -> command.solverChoices(solvers == null ? standardSolvers : solvers));
     }
 
-    /** @return a scene: a file, or the name or number of one in scenes */
-    static SceneDescription read(String scene) {
-        return SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses());
+    /** @return a scene that may name students' classes, with these values in place of its own */
+    static SceneDescription read(Path scene, List<Setting> settings) {
+        return SceneReader.read(scene, new StudentClasses(), settings);
+    }
+
+    /** @return whether there is a scene, asked for or by default */
+    boolean hasScene() {
+        return description != null;
+    }
+
+    /** @throws particles.spec.messages.InvalidInputException if there is an option that needs a scene */
+    void refuseWithoutScene(ResultsCommand command) {
+        if (solvers != null || deltaT != null) {            // null if the option was not given
+            throw command.wrong(solvers != null ? "solvers" : "deltaT", "goes with "
+                    + command.getStyle().option("scene") + " only");
+        }
     }
 
     /** @return the scene, with the options in place of its own values */

@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
@@ -19,7 +21,6 @@ import particles.lab.PageParts;
 import particles.output.files.OutputFolder;
 import particles.output.usd.UsdFile;
 import particles.scene.BlowUpMessage;
-import particles.scene.Overrides;
 import particles.scene.RunLimits;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -30,6 +31,7 @@ import particles.scene.format.OutputDescription;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Digest;
+import particles.spec.Setting;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -114,9 +116,9 @@ public final class RunCommand extends ResultsCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
-        Overrides overrides = overrides();
-        mistakes.check(overrides::check);
-        mistakes.check(() -> readScene(overrides));
+        Supplier<List<Setting>> typed = settings(mistakes, List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T,
+                SceneFormat.DURATION, SceneFormat.THREADS), solver, deltaT, duration, threads);
+        mistakes.check(() -> readScene(typed));
         super.read(mistakes);
         mistakes.check(this::checkPictures);
         mistakes.check(() -> {
@@ -126,18 +128,13 @@ public final class RunCommand extends ResultsCommand {
         });
     }
 
-    private Overrides overrides() {
-        return new Overrides(getStyle()::option).with("solver", solver).with("deltaT", deltaT)
-                .with("duration", duration).with("threads", threads);
-    }
-
-    private void readScene(Overrides overrides) {
+    private void readScene(Supplier<List<Setting>> typed) {
         Path file = SceneFiles.find(scenes, wanted);
         byte[] bytes = SceneReader.bytes(file);
         name = SceneName.of(file).whole();
         text = new String(bytes, StandardCharsets.UTF_8);
-        SceneDescription scene = overrides.applyTo(
-                SceneReader.read(file, new StudentClasses(), settings("set", set)));
+        SceneDescription scene = SceneReader.read(file, new StudentClasses(), Stream.concat(
+                settings("set", set).stream(), typed.get().stream()).toList());
         OutputDescription output = scene.output();
         boolean film = video != null ? video.equals(OutputDescription.MP4) : output.frames().film();
         description = scene.withOutput(frames ? sized(output.with(true, film)) : output.with(false, false));

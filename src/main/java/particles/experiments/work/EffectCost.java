@@ -9,11 +9,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
-import particles.effects.springs.SpringForce;
 import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
-import particles.law.Particles;
 import particles.scene.Scene;
 import particles.view.Axis;
 import particles.view.Chart;
@@ -22,12 +20,10 @@ import particles.view.Look;
 import particles.view.Panel;
 import particles.view.Series;
 import particles.view.Series.Mark;
-import particles.view.SpringView;
 
 /**
  * Measures the cost of each effect and rule: the time for a step of a cloth with springs alone, and with one effect or
- * rule more at a time. Before them comes a plain loop over the cloth's springs, as often as rk4 evaluates
- * the derivative. Effects that a scene does not name cost nothing.
+ * rule more at a time. Effects that a scene does not name cost nothing.
  *
  * <p>All variants take turns, round by round, and the fastest round of each counts: other work on the machine only
  * makes a round slower.
@@ -92,9 +88,6 @@ public final class EffectCost {
     public record Cost(String name, double seconds, double overBase) {
     }
 
-    private record Variant(String name, Runnable round) {
-    }
-
     /**
      * Measures.
      *
@@ -103,37 +96,24 @@ public final class EffectCost {
      * @param rounds   the number of rounds, 1 or more
      * @param nanoTime a clock (ns)
      * @param progress receives the progress
-     * @return the hand-written springs, the springs alone, and each addition
+     * @return the springs alone, and each addition
      */
     public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
             ProgressListener progress) {
-        List<Variant> variants = variants(columns, steps, rounds);
+        List<Runnable> variants = ADDITIONS.stream().map(addition -> round(scene(columns, rounds * steps,
+                addition.yaml()), steps)).toList();
         double[] fastest = new double[variants.size()];
         Arrays.fill(fastest, Double.POSITIVE_INFINITY);
         for (int round = 0; round < rounds; round++) {
             for (int v = 0; v < fastest.length; v++) {
-                progress.reached((round + (double) v / fastest.length) / rounds, variants.get(v).name());
+                progress.reached((round + (double) v / fastest.length) / rounds, ADDITIONS.get(v).name());
                 long start = nanoTime.getAsLong();
-                variants.get(v).round().run();
+                variants.get(v).run();
                 fastest[v] = Math.min(fastest[v], (nanoTime.getAsLong() - start) / 1e9 / steps);
             }
         }
-        return IntStream.range(0, fastest.length).mapToObj(v -> new Cost(variants.get(v).name(), fastest[v], fastest[v]
-                / fastest[1])).toList();
-    }
-
-    private static List<Variant> variants(int columns, int steps, int rounds) {
-        Scene cloth = scene(columns, steps, "");
-        double[] inverseMasses = cloth.system().getParticles().getInverseMasses();
-        double[] dSdt = new double[cloth.system().getStateSize()];
-        List<Variant> all = new ArrayList<>(List.of(new Variant("springs, hand-written", () -> {
-            for (int evaluation = 0; evaluation < 4 * steps; evaluation++) {
-                loopOverSprings(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
-            }
-        })));
-        ADDITIONS.forEach(addition -> all.add(new Variant(addition.name(), round(scene(columns, rounds * steps,
-                addition.yaml()), steps))));
-        return all;
+        return IntStream.range(0, fastest.length).mapToObj(v -> new Cost(ADDITIONS.get(v).name(), fastest[v],
+                fastest[v] / fastest[0])).toList();
     }
 
     /** @return makes this number of steps of a scene each time */
@@ -145,38 +125,6 @@ public final class EffectCost {
                 simulation.advance();
             }
         };
-    }
-
-    /**
-     * Computes ds/dt of a mass-spring system in a plain loop over its springs, without effects, reactions or any choice
-     * at all, by the law of {@link particles.effects.springs.SpringForce}.
-     */
-    static void loopOverSprings(SpringView springs, double[] inverseMasses, double[] s, double[] dSdt) {
-        Arrays.fill(dSdt, 0);
-        for (int k = 0; k < springs.springCount(); k++) {
-            int i = Particles.STRIDE * springs.from(k);
-            int j = Particles.STRIDE * springs.to(k);
-            double x = s[j] - s[i];
-            double y = s[j + 1] - s[i + 1];
-            double z = s[j + 2] - s[i + 2];
-            double length = Math.sqrt(x * x + y * y + z * z);
-            double stretching = (x * (s[j + 3] - s[i + 3]) + y * (s[j + 4] - s[i + 4]) + z * (s[j + 5] - s[i + 5]))
-                    / length;
-            double perLength = (springs.stiffness(k) * (length - springs.restLength(k))
-                    + springs.damping(k) * stretching) / length;
-            dSdt[i + 3] += perLength * x;
-            dSdt[i + 4] += perLength * y;
-            dSdt[i + 5] += perLength * z;
-            dSdt[j + 3] -= perLength * x;
-            dSdt[j + 4] -= perLength * y;
-            dSdt[j + 5] -= perLength * z;
-        }
-        for (int k = 0; k < s.length; k += Particles.STRIDE) {
-            for (int c = k; c < k + 3; c++) {
-                dSdt[c] = s[c + 3];
-                dSdt[c + 3] *= inverseMasses[k / Particles.STRIDE];
-            }
-        }
     }
 
     /** @return a square cloth that runs for a number of steps, with more lines in its scene */
@@ -216,10 +164,5 @@ public final class EffectCost {
                 Axis.log("time for a step / time with springs alone", ""), Axis.linear("what the scene names", ""),
                 List.of(Series.of(Look.OWN, "time for a step", Mark.FILL, lines))).inRows(bars.stream()
                 .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList())));
-    }
-
-    /** @return the time of springs alone, divided by that of the hand-written loop, in words */
-    public static String overLoop(List<Cost> costs) {
-        return Digits.few(costs.get(1).seconds() / costs.get(0).seconds());
     }
 }

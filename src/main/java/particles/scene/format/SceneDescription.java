@@ -8,7 +8,6 @@ import particles.scene.parts.RuleKind;
 import particles.spec.Key;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
-import particles.spec.messages.Place;
 import particles.view.Camera;
 import particles.view.RenderOptions;
 
@@ -123,12 +122,7 @@ public record SceneDescription(Values values, ParticleIndex particles, Drawing d
 
     /** @return the same scene with another value of a key */
     public <T> SceneDescription with(Key<T> key, T value) {
-        return with(key, value, values.place(key));
-    }
-
-    /** @return the same scene with another value of a key, which stands at another place */
-    public <T> SceneDescription with(Key<T> key, T value, Place place) {
-        return new SceneDescription(values.with(key, value, place), particles, drawing, output);
+        return new SceneDescription(values.with(key, value, values.place(key)), particles, drawing, output);
     }
 
     /**

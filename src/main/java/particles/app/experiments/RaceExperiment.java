@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import particles.Observer;
+import particles.app.experiments.Experiment.Run;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
@@ -28,81 +29,46 @@ import particles.view.Axis;
 import particles.view.Camera;
 import particles.view.Chart;
 import particles.view.Panel;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
-/** {@code gradle race}: compares solvers side by side, with equal work. */
-@Command(name = "race",
-        description = "Runs solvers with equal work on a scene, side by side in one animation.")
-public final class RaceCommand extends ExperimentCommand {
-    static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
+/** A race: solvers with equal work side by side. */
+final class RaceExperiment {
     /** Frames shown in a second. */
     private static final double PLAYBACK = 20;
     private static final int FEWEST_FRAMES = 40;
     private static final int MOST_FRAMES = 300;
-    private static final int FRAMES_POSSIBLE = 2000;
     private static final int MOST_SOLVERS = 16;
 
-    @Mixin
-    private final SceneOptions options = new SceneOptions();
-
-    @Option(names = "--frames", paramLabel = "NUMBER", description =
-            "Frames of the animation, which shows 20 a second (default: 20 for a second of the scene, from 40 to 300).")
-    private Integer frames;
-
-    @Override
-    protected void read(Mistakes mistakes) {
-        options.read(mistakes, this, "soft-chain", SOLVERS);
-        mistakes.check(() -> {
-            if (!(options.scene().duration() > 0)) {
-                throw wrong("duration", "a race has to last longer than 0 s");
-            }
-        });
-        mistakes.check(() -> {
-            if (frames != null) {                       // picocli leaves an option null that was not given
-                requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
-            }
-        });
-        mistakes.check(() -> {
-            if (options.solvers().size() > MOST_SOLVERS) {
-                throw wrong("solvers", options.solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
-            }
-        });
-        super.read(mistakes);
+    private RaceExperiment() {
     }
 
-    private int frameCount(SceneDescription scene) {
-        return frames != null ? frames
-                : (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * scene.duration())));
-    }
-
-    @Override
-    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<SolverChoice> solvers = options.solvers();
-        int count = frameCount(options.scene());
-        try (RacePictures pictures = new RacePictures(solvers.size(), count / options.scene().duration())) {
-            Result race = new Race(options.scene(), solvers, count).run(pictures, progress.part(0, 0.5));
-            ProgressListener drawing = progress.part(0.5, 1);
-            return page(race, count, pictures.write(folder, race, part ->
-                    drawing.reached(part, "drawing the animation")));
+    static Run plan(DeclaredCommand asked) {
+        SceneDescription scene = asked.options.scene();
+        List<SolverChoice> solvers = asked.options.solvers();
+        double duration = scene.duration();
+        if (!(duration > 0)) {
+            throw asked.wrong("duration", "a race has to last longer than 0 s");
         }
+        if (solvers.size() > MOST_SOLVERS) {
+            throw asked.wrong("solvers", solvers.size() + " solvers are too many; at most " + MOST_SOLVERS);
+        }
+        int frames = asked.frames.orElseGet(() -> (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES,
+                Math.round(PLAYBACK * duration))));
+        return (folder, progress) -> {
+            try (RacePictures pictures = new RacePictures(solvers.size(), frames / duration)) {
+                Result race = new Race(scene, solvers, frames).run(pictures, progress.part(0, 0.5));
+                ProgressListener drawing = progress.part(0.5, 1);
+                return page(asked, race, pictures.write(folder, race, part ->
+                        drawing.reached(part, "drawing the animation")));
+            }
+        };
     }
 
-    private ResultPage page(Result race, int count, ChartPage sheet) {
-        double speed = race.duration() * PLAYBACK / count;
+    private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
         String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
                 .orElse("rk4 at the scene's step");
-        String rule = "All get as many evaluations of the derivative as " + pace + """
-                 needs, to within one step or 1 %: a cheap method makes more and shorter steps, an adaptive one gets \
-                the tolerance that costs as much, and what an implicit one evaluates for Jacobians counts.""";
-        return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
-                "The grey ghost is the reference, " + Race.REFERENCE + """
-                        . The chart shows the energy error of each solver, physics taken out, over the energy \
-                        scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
-                        its panel stays as it was.""",
-                Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
-                        : Digits.format("at %.3g times the speed of the scene", speed))),
+        return asked.page(RaceCharts.title(race), List.of("Equal work: each solver gets as many evaluations of the"
+                + " derivative as " + pace + " needs, to within one step or 1 %. The grey ghost is the reference, "
+                + Race.REFERENCE + "; a solver that fails, or goes far from where it ever is, leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """

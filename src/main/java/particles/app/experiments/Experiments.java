@@ -1,0 +1,142 @@
+package particles.app.experiments;
+
+import static particles.app.experiments.Experiment.Choice.ROUNDS;
+
+import deSolvers.text.Digits;
+import java.util.ArrayList;
+import java.util.List;
+import particles.app.experiments.Experiment.Run;
+import particles.experiments.energy.DriftCharts;
+import particles.experiments.energy.EnergyDrift;
+import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.lecture.CostExercise;
+import particles.experiments.lecture.CostExercise.Cost;
+import particles.experiments.runs.CpuClock;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.EffectCost;
+import particles.experiments.work.StiffCharts;
+import particles.experiments.work.StiffCloth;
+import particles.experiments.work.StiffGallery;
+import particles.experiments.work.StiffGallery.Sweep;
+import particles.experiments.work.WorkCharts;
+import particles.experiments.work.WorkPrecision;
+import particles.experiments.work.WorkPrecision.Curve;
+import particles.experiments.work.WorkProblem;
+import particles.output.report.Picture;
+import particles.view.Panel;
+
+/** Plans of experiments on solvers and effects. */
+final class Experiments {
+    private static final String FAILURES = " Below: the runs without a result.";
+    /** Steps in a round. */
+    private static final int STEPS = 20;
+
+    private Experiments() {
+    }
+
+    static Run energyDrift(DeclaredCommand asked) {
+        List<String> first = List.of("euler", "midpoint", "rk4", "verlet", "implicit-midpoint");
+        return (folder, progress) -> {
+            Comparison comparison = EnergyDrift.compare(asked.options.scene(), asked.options.solvers(),
+                    asked.equalWork, progress);
+            String title = DriftCharts.title(comparison);
+            return asked.page(title, List.of("""
+                    The energy error is the change of the total energy minus the work of drag, damping, wind, contacts \
+                    and collisions: the solver's own error, divided by the largest kinetic plus stored energy of the \
+                    run. Where nothing else changes the energy, it drifts or is bounded."""),
+                    List.of(Picture.of("energy-drift", "The size of the energy error over time. At the curves: an error"
+                            + " that drifts, at the end; the largest size of any other. A cross marks a run that ended"
+                            + " early.", Panel.of(title, List.of(DriftCharts.sizes(comparison)))).first(first),
+                            Picture.of("energy-drift-energy-error",
+                            "The energy error over time, while it is less than 10 %.",
+                            Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison)))).first(first)),
+                    List.of(DriftCharts.table(comparison)));
+        };
+    }
+
+    static Run workPrecision(DeclaredCommand asked) {
+        List<String> first = List.of("euler", "midpoint", "rk4", "dormand-prince", "radau");
+        return (folder, progress) -> {
+            progress.reached(0, "the references");
+            List<WorkProblem> problems = asked.problems.get().stream().map(WorkProblem::of).toList();
+            List<Curve> all = curves(problems, asked.options.solvers(), progress);
+            List<Picture> pictures = new ArrayList<>();
+            for (WorkProblem solved : problems) {
+                List<Curve> curves = all.stream().filter(curve -> curve.problem() == solved).toList();
+                String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
+                        + solved.origin() + ". ";
+                pictures.add(Picture.of(solved.name() + "-evaluations", caption + "At the curves: the slope of the"
+                        + " filled points, and in brackets that of theory." + FAILURES,
+                        WorkCharts.byEvaluations(curves)).first(first));
+                pictures.add(Picture.of(solved.name() + "-time", caption + "Bars go from the fastest round to the"
+                        + " median of five. At the curves: the last error." + FAILURES,
+                        WorkCharts.byTime(curves)).first(first));
+            }
+            List<Cost> costs = CostExercise.solve();
+            return asked.page("The error of solvers against their cost", List.of("The lecture's exercise, "
+                    + CostExercise.answer(costs) + ".", """
+                    Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the \
+                    one before; the slope of a line is the order."""), pictures,
+                    List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
+        };
+    }
+
+    /** All runs take turns, round by round, so that other work on the machine slows down one round of many. */
+    private static List<Curve> curves(List<WorkProblem> problems, List<SolverChoice> solvers,
+            ProgressListener progress) {
+        double part = 1.0 / WorkPrecision.ROUNDS;
+        List<Curve> curves = progress.part(0, part).parts(problems, (solved, some) -> some.each(solvers,
+                solver -> solver.label() + " on " + solved.name(), solver ->
+                        new WorkPrecision(solved, solver).curve())).stream().flatMap(List::stream).toList();
+        for (int round = 1; round < WorkPrecision.ROUNDS; round++) {
+            curves = progress.part(part * round, part * (round + 1)).each(curves, curve -> curve.label() + " on "
+                    + curve.problem().name(), Curve::timedAgain);
+        }
+        return curves;
+    }
+
+    static Run stiffGallery(DeclaredCommand asked) {
+        String title = "Two masses on an ever stiffer spring";
+        return (folder, progress) -> {
+            List<Sweep> sweeps = progress.each(asked.options.solvers(), SolverChoice::label, solver ->
+                    StiffGallery.sweep(solver, asked.decades));
+            return asked.page(title, List.of("""
+                    Two masses swing together on soft springs while the spring between them gets stiffer: what one \
+                    wants to see stays the same, and only stability asks for shorter steps. The cost of an explicit \
+                    solver grows as the root of the stiffness; implicit ones pay with the energy of the stiff \
+                    vibration."""), List.of(Picture.of("stiff-gallery", """
+                    Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable run, \
+                    and what is left of the energy of the stiff vibration, at most in the last tenth of the run. At \
+                    the curves: the exponent with which evaluations grow, from k = 1000 on. Crosses: solvers that are \
+                    never stable; rings: a million steps are not enough for 1 %.""", Panel.of(title,
+                    StiffCharts.charts(sweeps))).first(List.of("rk4", "verlet", "backward-euler", "implicit-midpoint",
+                    "radau"))), List.of(StiffCharts.table(sweeps)));
+        };
+    }
+
+    static Run effectCost(DeclaredCommand asked) {
+        return (folder, progress) -> {
+            List<EffectCost.Cost> costs = EffectCost.measure(asked.columns, STEPS, asked.rounds,
+                    () -> Math.round(1e9 * CpuClock.seconds()), progress);
+            Panel panel = EffectCost.panel(costs);
+            return asked.page(panel.title(), List.of("A scene pays for what it names and for nothing else: this is a"
+                    + " cloth of " + asked.columns + " x " + asked.columns + " particles, rk4, with one thing more"
+                    + " at a time. Each time is that of the fastest of " + asked.rounds + " rounds."),
+                    List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone, on a logarithmic"
+                            + " axis.", panel)), List.of(EffectCost.table(costs)));
+        };
+    }
+
+    static Run stiffCloth(DeclaredCommand asked) {
+        return (folder, progress) -> {
+            List<StiffCloth.Row> rows = StiffCloth.measure(StiffCloth.SWEEP, progress);
+            return asked.page("One frame of stiff cloth: rk4 against one implicit step", List.of("""
+                    The stiffer the springs, the more steps of rk4 a frame needs to be stable, as many as the root of \
+                    the stiffness; backward Euler takes one step whatever the stiffness, and pays with numerical \
+                    damping."""), List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians"
+                    + " of three steps of linearised-euler.", StiffCloth.panel(rows))),
+                    List.of(StiffCloth.table(rows)));
+        };
+    }
+}
