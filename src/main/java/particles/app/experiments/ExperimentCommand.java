@@ -6,7 +6,6 @@ import particles.app.cli.ChartOptions;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.ProgressListener;
-import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
 import particles.output.report.TableText;
@@ -53,10 +52,5 @@ public abstract class ExperimentCommand extends ResultsCommand {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
             return measure(folder, progress).write(folder, charts.format());
         }
-    }
-
-    /** @return the format of its charts */
-    protected final ChartFormat format() {
-        return charts.format();
     }
 }

@@ -85,13 +85,9 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", title,
                 panels));
         return new ResultPage(name(), title, List.of("""
-                        The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
-                        circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \
-                        solver sees.""",
-                        """
-                                N steps multiply the amplitude by |R(ih)|^N and run ahead of the exact phase by N \
-                                (arg R - h), where R is the method's stability function and h the time step. The \
-                                table has both, measured and computed."""),
+                        The oscillator x'' = -x from (1, 0): the exact solution is the dashed circle, clockwise in \
+                        2 pi s. N steps of h multiply the amplitude by |R(ih)|^N and run ahead of the exact phase by \
+                        N (arg R - h), where R is the method's stability function."""),
                 pictures, List.of(LectureFigures.table(results)));
     }
 

@@ -151,12 +151,10 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         }
         Picture picture = panels.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0).named(""))
                 : Picture.panels("phase-plots", caption, title, panels);
-        return new ResultPage(name(), title, List.of(
-                """
-                        A path in state space shows what a plot over time hides: a closed curve keeps its energy, a \
-                        spiral outwards gains and a spiral inwards loses it. How far a path is off the curve is \
-                        measured in halves of the curve's width and height. A path that stays on the curve and yet \
-                        ends elsewhere, away from the hollow mark, has a wrong phase only."""),
+        return new ResultPage(name(), title, List.of("""
+                A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral \
+                outwards gains it, a spiral inwards loses it, and a path that ends away from the hollow mark, but on \
+                the curve, has a wrong phase only. Distances off the curve are in halves of its width and height."""),
                 List.of(picture), List.of(portraits.table()));
     }
 }

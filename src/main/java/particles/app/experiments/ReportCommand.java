@@ -4,11 +4,13 @@ import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
@@ -72,11 +74,8 @@ public final class ReportCommand extends ResultsCommand {
 
     /** @return the experiments of the course, in the order of the report */
     public static List<ExperimentCommand> experiments() {
-        return List.of(new LectureFiguresCommand(), new DeclaredCommand(Experiment.ENERGY_DRIFT),
-                new PhasePlotsCommand(), new DeclaredCommand(Experiment.RACE),
-                new DeclaredCommand(Experiment.WORK_PRECISION), new DeclaredCommand(Experiment.STIFF_GALLERY),
-                new DeclaredCommand(Experiment.STABILITY), new DeclaredCommand(Experiment.EFFECT_COST),
-                new DeclaredCommand(Experiment.STIFF_CLOTH));
+        return Stream.concat(Stream.of(new LectureFiguresCommand(), new PhasePlotsCommand()),
+                Arrays.stream(Experiment.values()).map(DeclaredCommand::new)).toList();
     }
 
     @Override

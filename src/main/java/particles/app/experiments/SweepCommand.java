@@ -124,8 +124,7 @@ public final class SweepCommand extends ExperimentCommand {
     }
 
     private SceneDescription read(List<Setting> more) {
-        return SceneReader.read(file.get(), new StudentClasses(), Stream.concat(
-                settings.get().stream(), more.stream()).toList());
+        return SceneOptions.read(file.get(), Stream.concat(settings.get().stream(), more.stream()).toList());
     }
 
     private String unit(GridAxis axis) {
