@@ -31,7 +31,7 @@ public record Fit(boolean earlier, List<double[]> states) {
 
     /** @return how well the steps of this solver fit */
     public static Fit of(Supplier<DESolver> maker, boolean earlier) {
-        WindyOscillators source = WindyOscillators.nonlinear(2).from(START);
+        WindyOscillators source = new WindyOscillators(2).from(START);
         double[] s = source.getState();
         Arrays.setAll(s, k -> (1 + k / 64.0) * s[k]);           // off the exact solution
         source.setState(s);
@@ -65,9 +65,9 @@ public record Fit(boolean earlier, List<double[]> states) {
         }
         for (int j = 0; j < equation.rates().length; j++) {
             double place = equation.places()[j];
-            double[] at = place > 0 ? Changes.plus(Changes.scaled(states.get(1), 0, 99, 1 - place), states.get(0),
+            double[] at = place > 0 ? Changes.plus(states.get(1), Changes.plus(states.get(0), states.get(1), -1),
                     place) : states.get((int) (1 - place));
-            StudentSource source = WindyOscillators.nonlinear(2);
+            StudentSource source = new WindyOscillators(2);
             source.setState(at);
             source.incTime(START + (states.size() - 2 + place) * H);
             double[] rate = new double[at.length];

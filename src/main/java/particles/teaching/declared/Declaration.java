@@ -1,12 +1,12 @@
 package particles.teaching.declared;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * What a solver is declared to be.
@@ -21,23 +21,21 @@ public record Declaration(Method method, boolean asked, boolean alone) {
             "team", "group", "test", "classical", "classic", "explicit", "implicit", "order", "task",
             "exercise", "homework", "assignment");
 
-    /** @return what the name of a class declares; empty if it has none of the words */
+    /** @return what the name of a class declares, by the longest name in it; empty if it has none of the words */
     public static Optional<Declaration> of(String className) {
         List<String> words = words(className);
         Optional<Declaration> found = Optional.empty();
         int longest = 0;
         for (int from = 0; from < words.size(); from++) {
-            StringBuilder joined = new StringBuilder();
-            for (int to = from; to < words.size(); to++) {
-                String name = joined.append(words.get(to)).toString();
+            for (int to = from + 1; to <= words.size(); to++) {
+                String name = String.join("", words.subList(from, to));
                 Optional<Method> named = Arrays.stream(Method.values()).filter(method -> method.words().anyMatch(
                         name::equals)).findFirst();
                 if (named.isPresent() && name.length() > longest) {
                     longest = name.length();
-                    List<String> others = new ArrayList<>(words.subList(0, from));
-                    others.addAll(words.subList(to + 1, words.size()));
-                    found = Optional.of(new Declaration(named.get(), false, others.stream().allMatch(word ->
-                            FILLERS.contains(word) || word.length() == 1 || Character.isDigit(word.charAt(0)))));
+                    found = Optional.of(new Declaration(named.get(), false, Stream.concat(words.stream().limit(from),
+                            words.stream().skip(to)).allMatch(word -> FILLERS.contains(word) || word.length() == 1
+                            || Character.isDigit(word.charAt(0)))));
                 }
             }
         }

@@ -92,21 +92,16 @@ public enum Method {
     private final Optional<Equation> equation;
 
     Method(String option, String title, int order, List<String> names, Scheme... schemes) {
-        this(option, title, order, names, List.of(schemes), Optional.empty());
+        this(option, title, order, names, null, schemes);
     }
 
-    Method(String option, String title, int order, List<String> names, Equation equation) {
-        this(option, title, order, names, List.of(), Optional.of(equation));
-    }
-
-    Method(String option, String title, int order, List<String> names, List<Scheme> schemes,
-            Optional<Equation> equation) {
+    Method(String option, String title, int order, List<String> names, Equation equation, Scheme... schemes) {
         this.option = option;
         this.title = title;
         this.order = order;
         this.names = names;
-        this.schemes = schemes;
-        this.equation = equation;
+        this.schemes = List.of(schemes);
+        this.equation = Optional.ofNullable(equation);
     }
 
     /** Three Verlet steps in one, that begin with a kick, 0, or with a drift, 1. */

@@ -3,6 +3,7 @@ package particles.teaching.declared;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Formula;
@@ -66,6 +67,11 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
         return particles ? 2 : 1;
     }
 
+    /** @return the time to which the state of an evaluation belongs since the step began, in units of deltaT */
+    public double reached(int r) {
+        return particles ? rows[r][1] : Arrays.stream(rows[r]).sum() - 1;
+    }
+
     /** @return the same with another row */
     public Scheme with(int r, double[] row) {
         double[][] changed = rows.clone();
@@ -73,13 +79,13 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
         return new Scheme(changed, times, particles);
     }
 
-    /** @return the same with other times */
-    public Scheme at(double... others) {
-        return new Scheme(rows, others, particles);
-    }
-
     @Override
     public void make(DEStateSource source, double deltaT) {
+        make(source, deltaT, k -> true);
+    }
+
+    /** Makes the step of the entries that move, while the others stand still. */
+    public void make(DEStateSource source, double deltaT, IntPredicate moves) {
         double start = source.getTime();
         int n = size();
         double[] s = new double[source.getStateSize()];
@@ -92,7 +98,8 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
         for (int r = 0; r <= n; r++) {
             double[] row = rows[r];
             double[] next = new double[s.length];
-            Arrays.setAll(next, k -> IntStream.range(0, row.length).mapToDouble(c -> row[c] * columns[c][k]).sum());
+            Arrays.setAll(next, k -> moves.test(k) ? IntStream.range(0, row.length).mapToDouble(c -> row[c]
+                    * columns[c][k]).sum() : s[k]);
             source.setState(next);
             source.incTime(start + (r < n ? times[r] : 1) * deltaT - source.getTime());
             if (r < n) {
@@ -134,7 +141,7 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
                 .toList();
     }
 
-    /** @return the first row that is another one, or at another time, than in a method of the same kind and size; -1 if none is */
+    /** @return the first row that is another one, or at another time, than in a method of its kind and size; or -1 */
     public int unlike(Scheme other) {
         return IntStream.rangeClosed(0, size()).filter(r -> r < size() && !Formula.same(times[r], other.times[r])
                 || !IntStream.range(0, rows[r].length).allMatch(c -> Formula.same(rows[r][c], other.rows[r][c])))

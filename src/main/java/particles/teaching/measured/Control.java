@@ -23,7 +23,7 @@ public record Control(Supplier<DESolver> maker) {
     private static final double GROWS = 1.5;
 
     private WindyOscillators after(int steps, double deltaT) {
-        WindyOscillators source = WindyOscillators.nonlinear(2).from(START);
+        WindyOscillators source = WindyOscillators.besideOneAtRest().from(START);
         DESolver solver = maker.get();
         for (int step = 0; step < steps; step++) {
             source.accepts(solver, deltaT);

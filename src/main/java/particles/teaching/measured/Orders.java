@@ -23,13 +23,14 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
     private static final String DRAG = " where the acceleration depends on the velocity";
 
     public static Orders of(Supplier<DESolver> maker) {
-        return new Orders(OrderMeasurement.measure(maker, Bodies::new), OrderMeasurement.of(maker, () ->
-                WindyOscillators.nonlinear(1)), OrderMeasurement.of(maker, WindyOscillators::withDrag));
+        return new Orders(OrderMeasurement.of(maker, Bodies::new), OrderMeasurement.of(maker, () -> new
+                WindyOscillators(1).from(HALF)), OrderMeasurement.of(maker, () -> WindyOscillators.withDrag().from(
+                HALF)));
     }
 
     /** @return the lower one of the orders without drag; NaN if the error does not follow deltaT */
     public double order() {
-        return bodies.order() < clock.order() ? bodies.order() : clock.order();
+        return lower().order();
     }
 
     /** @return the order as a number of its own; empty if the error does not follow deltaT */

@@ -11,8 +11,8 @@ public enum Phrase {
     NOTHING_YET(Kind.UNWRITTEN, "the step does nothing yet: write it, then check again"),
     EXCEPTION(Kind.FAILURE, "stepState ends in an exception: %s"),
     NOT_FINITE(Kind.STATE, "the new state is NaN or infinite although state and derivative are finite"),
-    NOT_REPEATABLE(Kind.METHOD, "six steps end elsewhere if they are made again, with steps of another solver in between:"
-            + " something is random, or static and shared by all solvers"),
+    NOT_REPEATABLE(Kind.METHOD, "six steps end elsewhere if they are made again, with steps of another solver in"
+            + " between: something is random, or static and shared by all solvers"),
     NO_DERIVATIVE(Kind.METHOD, "getStateDerivative is never called"),
     NEVER_SET(Kind.STATE, "the new state never reaches the source: setState(state) is missing"),
     // clock and state
@@ -37,6 +37,7 @@ public enum Phrase {
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
+    OTHER_TIME(Kind.TIME, "%s %s: the state there is that of %s"),
     COUNT(Kind.METHOD, "%s; a step evaluates the derivative %s times, and %s does %s times"),
     OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
             + " and the velocity %s a deltaT; with %s they are %s and %s"),

@@ -15,7 +15,6 @@ import particles.teaching.GuardedRun.EndlessLoop;
 import particles.teaching.StudentFailure;
 import particles.teaching.sources.Falling;
 import particles.teaching.sources.Probe;
-import particles.teaching.sources.Probe.Answer;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
@@ -51,7 +50,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         StudentSource source = after(new WindyOscillators(2), H);
         double[] end = source.getState();
         boolean written = source.getEvaluations() > 1 || !(maker.get() instanceof FixedStepSolver) && (source.isSet()
-                || source.timeMoves() > 0);
+                || source.times() > 0);
         boolean stays = Arrays.equals(new WindyOscillators(2).getState(), end);
         return Phrase.NOTHING_YET.when(!written && stays).or(() -> Phrase.NO_DERIVATIVE.when(source.getEvaluations()
                 == 0)).or(() -> Phrase.NEVER_SET.when(!source.isSet())).or(() -> Phrase.NOT_FINITE.when(
@@ -62,7 +61,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     /** The state after some steps, between which another solver may step another source. */
     private double[] steps(boolean beside) {
         WindyOscillators source = new WindyOscillators(2);
-        WindyOscillators other = WindyOscillators.nonlinear(2).from(START);
+        WindyOscillators other = new WindyOscillators(2).from(START);
         DESolver solver = maker.get();
         DESolver second = maker.get();
         for (int step = 0; step < REPEATED; step++) {
@@ -105,18 +104,14 @@ public record SolverContract(Supplier<DESolver> maker) {
 
     /** A source after a step from these numbers, which are the derivatives, too, and never change. */
     private Probe stepWith(double[] numbers) {
-        return stepWith(numbers, evaluation -> numbers);
-    }
-
-    private Probe stepWith(double[] numbers, Answer answer) {
-        Probe probe = new Probe(numbers, START, answer);
+        Probe probe = new Probe(numbers, START, evaluation -> numbers);
         probe.step(maker.get(), H);
         return probe;
     }
 
     /** @return the mistake if many equal particles do not move alike */
     public Optional<Finding> alike() {
-        WindyOscillators source = new WindyOscillators(MANY).from(START);
+        WindyOscillators source = WindyOscillators.apart(MANY).from(START);
         try {
             after(source, H);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
@@ -128,25 +123,20 @@ public record SolverContract(Supplier<DESolver> maker) {
                 .findFirst();
     }
 
-    /** @return an entry of the new state that depends on the unit of time */
-    public Optional<Finding> units() {
-        return Units.mistake(maker);
-    }
-
     /** @return the number of evaluations in a step of a nonlinear particle; -1 if it is too long for the solver */
     public long evaluations(double deltaT) {
-        StudentSource source = WindyOscillators.nonlinear(1);
+        StudentSource source = new WindyOscillators(1);
         return source.accepts(maker.get(), deltaT) ? source.getEvaluations() : -1;
     }
 
     /** @return mistakes and notes on steps back, other sources, and sources that fail */
     public List<Finding> conduct() {
-        return Stream.of(back(), line(), failing(0), failing(1), notANumber()).flatMap(Optional::stream).distinct().toList();
+        return Stream.of(back(), line(), failing(), notANumber()).flatMap(Optional::stream).toList();
     }
 
     /** Judges a step back after one forward, which leads about as far off as that step's error. */
     private Optional<Finding> back() {
-        WindyOscillators source = WindyOscillators.nonlinear(1).from(START);
+        WindyOscillators source = new WindyOscillators(1).from(START);
         double[] start = source.getState();
         double error = after(source, SHORT).error();
         double[] there = source.getState();
@@ -185,21 +175,11 @@ public record SolverContract(Supplier<DESolver> maker) {
         }
     }
 
-    /** A source that fails from this evaluation on has to be heard of. */
-    private Optional<Finding> failing(int evaluation) {
-        double[] numbers = new double[SIZE];
-        boolean[] failed = {false};
-        try {
-            stepWith(numbers, j -> {
-                if (j >= evaluation) {
-                    failed[0] = true;
-                    throw new IllegalStateException("the source fails, as it was told to");
-                }
-                return numbers;
-            });
-        } catch (RuntimeException e) {                  // it is heard of
-            return Optional.empty();
-        }
-        return Phrase.SWALLOWS.when(failed[0]);
+    /** A source that fails has to be heard of. */
+    private Optional<Finding> failing() {
+        Probe probe = new Probe(new double[SIZE], START, evaluation -> {
+            throw new IllegalStateException("the source fails, as it was told to");
+        });
+        return Phrase.SWALLOWS.when(probe.accepts(maker.get(), H));
     }
 }

@@ -14,10 +14,10 @@ import particles.teaching.sources.WindyOscillators;
  * Whether a solver forgets earlier steps in {@code reset()}, which the program calls before it changes state, source
  * or deltaT from outside: the step that follows has to be that of a new solver.
  *
- * @param maker makes a new solver
- * @param same  the largest difference of two steps that are the same
+ * @param maker    makes a new solver
+ * @param subSteps whether it makes sub-steps within a tolerance
  */
-public record SolverMemory(Supplier<DESolver> maker, double same) {
+public record SolverMemory(Supplier<DESolver> maker, boolean subSteps) {
     private static final double H = 1.0 / 16;
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
     private static final double ROUNDING = 1e-9;
@@ -26,36 +26,29 @@ public record SolverMemory(Supplier<DESolver> maker, double same) {
     private static final int STEPS = 6;
     private static final double LATER = 3;
 
-    /**
-     * @param maker    makes a new solver
-     * @param subSteps whether it makes sub-steps within a tolerance
-     */
-    public SolverMemory(Supplier<DESolver> maker, boolean subSteps) {
-        this(maker, subSteps ? TOLERATED : ROUNDING);
-    }
-
     /** @return whether its steps differ from those of a new solver */
     public boolean remembers() {
         DESolver solver = maker.get();
-        WindyOscillators source = WindyOscillators.nonlinear(2);
+        WindyOscillators source = new WindyOscillators(2);
         return !IntStream.range(0, STEPS).allMatch(step -> isFresh(solver, source, H));
     }
 
     /** @return the mistake if after a reset a step, of the same or of another source, is not a new solver's */
     public Optional<Finding> mistake() {
         DESolver solver = maker.get();
-        WindyOscillators first = StudentSource.after(WindyOscillators.nonlinear(2), solver, STEPS, H);
-        return Stream.concat(Stream.of(first), Stream.of(2, 3, 6, 1).map(particles -> WindyOscillators.nonlinear(
-                particles).from(LATER))).flatMap(source -> Stream.of(H, H / 4, -H / 4).flatMap(h -> {
-                    solver.reset();
-                    String kept = "";
-                    try {
-                        kept = isFresh(solver, source, h) ? "" : "ends elsewhere";
-                    } catch (IndexOutOfBoundsException | NegativeArraySizeException | IllegalArgumentException e) {
-                        kept = "ends in " + StudentFailure.describe(e);
-                    }
-                    return Phrase.KEPT.when(!kept.isEmpty(), source.getStateSize() / 6, h, kept).stream();
-                })).findFirst();
+        WindyOscillators first = StudentSource.after(new WindyOscillators(2), solver, STEPS, H);
+        Stream<WindyOscillators> others = Stream.of(2, 3, 6, 1).map(particles -> new WindyOscillators(particles).from(
+                LATER));
+        return Stream.concat(Stream.of(first), others).flatMap(source -> Stream.of(H, H / 4, -H / 4).flatMap(h -> {
+            solver.reset();
+            String kept = "";
+            try {
+                kept = isFresh(solver, source, h) ? "" : "ends elsewhere";
+            } catch (IndexOutOfBoundsException | NegativeArraySizeException | IllegalArgumentException e) {
+                kept = "ends in " + StudentFailure.describe(e);
+            }
+            return Phrase.KEPT.when(!kept.isEmpty(), source.getStateSize() / 6, h, kept).stream();
+        })).findFirst();
     }
 
     /** Makes a step, and the same one with a new solver, unless that refuses, from the same place on a copy. */
@@ -65,7 +58,7 @@ public record SolverMemory(Supplier<DESolver> maker, double same) {
             return true;
         }
         source.step(solver, deltaT);
-        return StudentSource.distance(twin.getState(), source.getState()) <= same && twin.getTime()
-                == source.getTime();
+        return StudentSource.distance(twin.getState(), source.getState()) <= (subSteps ? TOLERATED : ROUNDING)
+                && twin.getTime() == source.getTime();
     }
 }

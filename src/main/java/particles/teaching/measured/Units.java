@@ -9,7 +9,7 @@ import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /** Whether a step is the same with another unit of time, as it is unless numbers of unlike units are added up. */
-final class Units {
+public final class Units {
     /** So short that an adaptive method takes it in one go, and that its tolerance does not matter. */
     private static final double H = 1.0 / 256;
     /** A velocity for an acceleration is 2e-4 off, and the tolerance of an adaptive method allows 1e-6. */
@@ -42,7 +42,7 @@ final class Units {
     }
 
     /** @return an entry of the new state that depends on the unit of time */
-    static Optional<Finding> mistake(Supplier<DESolver> maker) {
+    public static Optional<Finding> mistake(Supplier<DESolver> maker) {
         double[] seconds = StudentSource.after(new Spring(1), maker.get(), 1, H).getState();
         double[] halves = StudentSource.after(new Spring(2), maker.get(), 1, 2 * H).getState();
         return IntStream.range(0, 6).mapToObj(k -> {

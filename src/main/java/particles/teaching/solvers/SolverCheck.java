@@ -7,15 +7,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
+import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.compared.Agreement;
 import particles.teaching.compared.Agreement.Cause;
 import particles.teaching.compared.Agreement.Match;
 import particles.teaching.compared.Fit;
-import particles.teaching.compared.Mistake;
 import particles.teaching.compared.Reading;
 import particles.teaching.declared.Declaration;
 import particles.teaching.declared.Method;
@@ -26,11 +27,13 @@ import particles.teaching.measured.Orders;
 import particles.teaching.measured.Phrase;
 import particles.teaching.measured.SolverContract;
 import particles.teaching.measured.SolverMemory;
+import particles.teaching.measured.Units;
 
 /** Checks a student's solver: says which method it is, and names one mistake, the first that explains the rest. */
 public final class SolverCheck {
     private static final int STEPS = 6;
     private static final double SHORT = 1.0 / 16;
+    private static final double LOW = 1.5;
     private static final String UNKNOWN = "Its step cannot be judged yet.";
 
     private final Supplier<DESolver> maker;
@@ -138,10 +141,10 @@ public final class SolverCheck {
                 method.schemes().stream().noneMatch(scheme -> scheme.size() == evaluations)));
     }
 
-    /** Whether a right step is a mistake of the method that is declared, or of one that is not done in turns. */
+    /** Whether a step without a fault of its own is a mistake of the declared method, or of one of higher order. */
     private boolean isMeant(Cause cause) {
         return declared.map(one -> one.alone() && one.method() == cause.method()).orElse(orders.order()
-                < cause.method().order() - 0.5 || cause.mistake().isInTurn());
+                < cause.method().order() - 0.5);
     }
 
     /** What is wrong, as measured; empty for a right one. */
@@ -149,19 +152,33 @@ public final class SolverCheck {
         Optional<Declaration> alone = declared.filter(Declaration::alone);
         Optional<Method> implicit = alone.map(Declaration::method).filter(method -> method.isImplicit()
                 && known.isEmpty() && !remembers);
-        return first(() -> contradicts(known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent())),
-                () -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(one.method().title(), one
-                .distance())), () -> FreeFall.mistake(maker, remembers ? STEPS : 1), contract::units, () -> implicit
-                .flatMap(method -> solved(method, fit, read)), () -> ordered(read, remembers), this::controlled, () ->
-                implicit.flatMap(method -> control.unstable()), () -> alone.filter(one -> !remembers && one.method()
-                .usesEarlier()).map(one -> Phrase.NOTHING_EARLIER.of(one.method().title())), () -> contradicts(
-                Optional.of(Method.MULTISTEP).filter(method -> multistep && !known.equals(method()) && declared.filter(
-                one -> one.asked() && one.method() != method).isPresent())));
+        return first(
+                () -> contradicts(known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent())),
+                () -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(one.method().title(),
+                        one.distance())),
+                () -> FreeFall.mistake(maker, remembers ? STEPS : 1),
+                () -> Units.mistake(maker),
+                () -> implicit.flatMap(method -> solved(method, fit, read)),
+                () -> ordered(read, remembers),
+                () -> read.flatMap(this::inTime),
+                this::controlled,
+                () -> implicit.flatMap(method -> control.unstable()),
+                () -> alone.filter(one -> !remembers && one.method().usesEarlier()).map(one ->
+                        Phrase.NOTHING_EARLIER.of(one.method().title())),
+                () -> contradicts(Optional.of(Method.MULTISTEP).filter(method -> multistep && !known.equals(method())
+                        && declared.filter(one -> one.asked() && one.method() != method).isPresent())));
     }
 
     /** It is this method, and not the declared one. */
     private Optional<Finding> contradicts(Optional<Method> other) {
         return other.map(method -> Phrase.CONTRADICTS.of(method.title(), method().orElseThrow().title()));
+    }
+
+    /** Each evaluation is at the time to which its state belongs; rounds of an iteration may begin at another one. */
+    private Optional<Finding> inTime(Scheme read) {
+        return IntStream.range(0, read.size()).filter(r -> (declared.isPresent() || read.size() > 1 && orders.order()
+                < LOW) && !Formula.same(read.reached(r), read.times()[r])).mapToObj(r -> Phrase.OTHER_TIME.of(read.what(
+                r), read.formula(r), Formula.time(read.reached(r)))).findFirst();
     }
 
     /** An implicit method solves its equation. */
@@ -185,10 +202,11 @@ public final class SolverCheck {
                     .size() + ")").orElse(control.makesSubSteps() ? " that makes sub-steps" : ""))
                     + "; it is none that the check knows by name.";
         }
-        if (known.map(method -> method.schemes().stream().anyMatch(Scheme::particles)).orElse(read.isEmpty())) {
+        boolean alike = read.filter(scheme -> !scheme.particles()).isPresent();
+        if (known.map(method -> method.schemes().stream().anyMatch(Scheme::particles)).orElse(!alike)) {
             orders.note().ifPresent(notes::add);
         }
-        return orders.mistake(declared, read.isPresent());
+        return orders.mistake(declared, alike);
     }
 
     private static Finding named(Cause cause) {
@@ -198,25 +216,25 @@ public final class SolverCheck {
             return Phrase.STEP.of(title, cause.mistake());
         }
         int r = changed.unlike(right);
-        return cause.mistake() == Mistake.BY_DELTA_T ? Phrase.STEP.of(title, right.what(r) + " " + right.formula(r)
-                + ", and here " + cause.mistake()) : Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title,
-                right.formula(r), cause.mistake());
+        return Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title, right.formula(r), cause.mistake());
     }
 
     /** Says where the step leaves the declared method's, in numbers. */
     private Finding compared(Finding finding, Optional<Scheme> read) {
         Optional<Scheme> right = method().flatMap(method -> method.schemes().stream().findFirst());
-        if (right.isEmpty() || finding.kind() != Kind.METHOD || finding.cause() == Phrase.FALL) {
+        if (right.isEmpty() || finding.kind() != Kind.METHOD) {
             return finding;
         }
         String title = method().orElseThrow().title();
         Scheme known = right.get();
-        return read.filter(scheme -> !known.particles()).map(scheme -> {
-            int r = scheme.size() == known.size() ? scheme.unlike(known) : -1;
-            return r >= 0 ? Phrase.ROW.of(finding.text(), scheme.what(r), scheme.formula(r), title, known.formula(r))
-                    : Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size());
-        }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(own::isUnlike).map(
-                other -> Phrase.OTHER_STEP.of(finding.text(), own.fell(), own.speed(), title, other.fell(),
-                other.speed())))).orElse(finding);
+        return read.filter(scheme -> scheme.particles() == known.particles()).map(scheme -> {
+            Scheme used = scheme.size() == known.size() ? scheme : Reading.used(scheme);
+            int r = used.size() == known.size() ? used.unlike(known) : 0;
+            return used.size() != known.size() ? Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size())
+                    : r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), title, known
+                    .formula(r));
+        }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(other ->
+                finding.cause() != Phrase.FALL && own.isUnlike(other)).map(other -> Phrase.OTHER_STEP.of(finding.text(),
+                own.fell(), own.speed(), title, other.fell(), other.speed())))).orElse(finding);
     }
 }

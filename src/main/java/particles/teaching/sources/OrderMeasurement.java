@@ -18,7 +18,6 @@ import java.util.stream.IntStream;
  */
 public record OrderMeasurement(double order, List<double[]> points) {
     private static final double TIME = 2;
-    private static final double START = 0.5;
     /** Two hundred roundings of numbers of order 1 make 5e-14; ten times that. */
     private static final double ROUNDING = 5e-13;
     private static final int FEWEST = 8;
@@ -35,16 +34,11 @@ public record OrderMeasurement(double order, List<double[]> points) {
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
-        return measure(maker, () -> new WindyOscillators(1));
-    }
-
-    /** @return the measurement on a nonlinear law, from a time at which the field changes */
-    public static OrderMeasurement of(Supplier<DESolver> maker, Supplier<WindyOscillators> laws) {
-        return measure(maker, () -> laws.get().from(START));
+        return of(maker, () -> new WindyOscillators(1));
     }
 
     /** @return the measurement on these sources, from where they are */
-    public static OrderMeasurement measure(Supplier<DESolver> maker, Supplier<? extends StudentSource> sources) {
+    public static OrderMeasurement of(Supplier<DESolver> maker, Supplier<? extends StudentSource> sources) {
         List<double[]> points = new ArrayList<>();
         List<Double> slopes = new ArrayList<>();
         double last = Double.NaN;

@@ -2,16 +2,11 @@ package particles.teaching.sources;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /** A source that answers each evaluation with a given derivative, and records where and when it was asked. */
 public final class Probe extends StudentSource implements SecondOrderSource {
-    /** Supplies the derivatives. */
-    public interface Answer {
-        /** @return the derivative at this evaluation, counted from 0; what it throws, the evaluation throws */
-        double[] at(int evaluation);
-    }
-
     /**
      * An evaluation of the derivative.
      *
@@ -21,15 +16,15 @@ public final class Probe extends StudentSource implements SecondOrderSource {
     public record Evaluation(double[] state, double time) {
     }
 
-    private final Answer answer;
+    private final IntFunction<double[]> answer;
     private final List<Evaluation> recorded = new ArrayList<>();
 
     /**
      * @param start  the state
      * @param time   the clock (s)
-     * @param answer supplies the derivatives
+     * @param answer supplies the derivative at each evaluation, counted from 0; what it throws, the evaluation throws
      */
-    public Probe(double[] start, double time, Answer answer) {
+    public Probe(double[] start, double time, IntFunction<double[]> answer) {
         super(time, start);
         this.answer = answer;
     }
@@ -41,7 +36,7 @@ public final class Probe extends StudentSource implements SecondOrderSource {
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        double[] given = answer.at(recorded.size());
+        double[] given = answer.apply(recorded.size());
         recorded.add(new Evaluation(s.clone(), t));
         System.arraycopy(given, 0, dSdt, 0, s.length);
     }

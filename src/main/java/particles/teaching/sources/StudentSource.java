@@ -15,7 +15,6 @@ public abstract class StudentSource extends ReferenceProblem {
     /** In one step; a right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
 
-    private int timeMoves;
     private final Set<Float> times = new HashSet<>();
     private boolean isSet;
     private long before;
@@ -74,11 +73,6 @@ public abstract class StudentSource extends ReferenceProblem {
         }
     }
 
-    /** @return how often the clock was moved */
-    public final int timeMoves() {
-        return timeMoves;
-    }
-
     /** @return the number of times (s) that the clock was moved to, which rounds of an iteration have in common */
     public final int times() {
         return times.size();
@@ -97,7 +91,6 @@ public abstract class StudentSource extends ReferenceProblem {
 
     @Override
     public void incTime(double deltaT) {
-        timeMoves++;
         super.incTime(deltaT);
         if (times.size() < MOST_TIMES) {
             times.add((float) getTime());

@@ -4,39 +4,42 @@ import java.util.Arrays;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /**
- * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is
- * wrong within a step shows. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution. In the
- * nonlinear variant the springs harden and each particle is coupled to the next (y): x'' = -4 x - x^3 + q (y - x)/2
- * + f(t), y the same coordinate of the next particle, where x is the same multiplied by q, another number for each
- * coordinate of each particle, and 0 for the first of several: who looks at that one alone sees nothing. With drag, the
- * solution is the same.
+ * Particles on springs that harden, each coupled to the next (y), in a field that changes with time, so that a clock
+ * that is wrong within a step shows: in each coordinate x'' = -4 x - x^3 + (y - x)/2 + f(t), y the same coordinate of
+ * the next particle. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution, with drag, too. The
+ * first particle may stand still at 0, alone: a solver that looks at that one alone sees nothing.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderSource {
-    private static final double COUPLING = 0.5;
-
-    private final int bend;
+    private final int first;
+    private final double coupling;
     private final double drag;
 
     /** @param particles the number of particles, which all move alike */
     public WindyOscillators(int particles) {
-        this(particles, 0, 0);
+        this(particles, 0, 0.5, 0);
     }
 
-    /** With a bend of 1 in place of 0, a nonlinear source. */
-    private WindyOscillators(int particles, int bend, double drag) {
-        super(exact(6 * particles, bend, 0));
-        this.bend = bend;
+    /** With the first entry that moves. */
+    private WindyOscillators(int particles, int first, double coupling, double drag) {
+        super(exact(6 * particles, first, 0));
+        this.first = first;
+        this.coupling = coupling;
         this.drag = drag;
     }
 
-    /** @return a nonlinear source of this number of particles */
-    public static WindyOscillators nonlinear(int particles) {
-        return new WindyOscillators(particles, 1, 0);
+    /** @return two particles, of which the first one stands still */
+    public static WindyOscillators besideOneAtRest() {
+        return new WindyOscillators(2, 6, 0, 0);
     }
 
-    /** @return a nonlinear source of one particle with drag, 0.5/s times the difference from the exact velocity */
+    /** @return particles that are not coupled */
+    public static WindyOscillators apart(int particles) {
+        return new WindyOscillators(particles, 0, 0, 0);
+    }
+
+    /** @return one particle with drag, 0.5/s times the difference from the exact velocity */
     public static WindyOscillators withDrag() {
-        return new WindyOscillators(1, 1, 0.5);
+        return new WindyOscillators(1, 0, 0, 0.5);
     }
 
     /** @return this source, put on the exact solution at this time */
@@ -52,14 +55,10 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
 
     /** @return a copy in the same state and time */
     public WindyOscillators copy() {
-        WindyOscillators copy = new WindyOscillators(getStateSize() / 6, bend, drag);
+        WindyOscillators copy = new WindyOscillators(getStateSize() / 6, first, coupling, drag);
         copy.setState(getState());
         copy.incTime(getTime());
         return copy;
-    }
-
-    private static double amplitude(int k, int size, int bend) {
-        return bend == 1 && k < 6 && size > 6 ? 0 : 1 + bend * (0.1 * (k % 3) + 0.07 * (k / 6));
     }
 
     private static double shape(double t) {
@@ -70,15 +69,15 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return -StrictMath.sin(t) - StrictMath.sin(2 * t);
     }
 
-    private static double[] exact(int size, int bend, double t) {
+    private static double[] exact(int size, int first, double t) {
         double[] exact = new double[size];
-        Arrays.setAll(exact, k -> amplitude(k, size, bend) * (k % 6 < 3 ? shape(t) : speed(t)));
+        Arrays.setAll(exact, k -> k < first ? 0 : k % 6 < 3 ? shape(t) : speed(t));
         return exact;
     }
 
     @Override
     public double[] exactState(double t) {
-        return exact(getStateSize(), bend, t);
+        return exact(getStateSize(), first, t);
     }
 
     @Override
@@ -86,17 +85,10 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         double shape = shape(t);
         double accelerated = -StrictMath.cos(t) - 2 * StrictMath.cos(2 * t);
         for (int k = 0; k < s.length; k++) {
-            if (k % 6 < 3) {
-                dSdt[k] = s[k + 3];
-            } else {
-                double q = amplitude(k, s.length, bend);
-                double x = s[k - 3];
-                int next = (k + 3) % s.length;
-                double off = q * shape - x;
-                dSdt[k] = q * accelerated + 4 * off + drag * (q * speed(t) - s[k]) + bend * (q * q * q
-                        * shape * shape * shape - x * x * x + COUPLING * q * (s[next] - amplitude(next, s.length, bend)
-                        * shape + off));
-            }
+            double x = k % 6 < 3 ? 0 : s[k - 3];
+            double y = s[(k + 3) % s.length];
+            dSdt[k] = k % 6 < 3 ? s[k + 3] : k < first ? -4 * x : accelerated + 4 * (shape - x) + shape * shape * shape
+                    - x * x * x + coupling * (y - x) + drag * (speed(t) - s[k]);
         }
     }
 }

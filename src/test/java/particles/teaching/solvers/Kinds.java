@@ -309,8 +309,8 @@ final class Kinds {
                         end[i] += h / 6 * (k[i + 3] - k[i]);
                     }
                     source.setState(end);
-                })), Kind.wrong("VerletSolver", "one acceleration for both", Phrase.DIFFERS, verlet(1, 0, 0.5)),
-                Kind.wrong("VerletSolver", "half missing", Phrase.DIFFERS, verlet(1, 1, 0.5)),
+                })), Kind.wrong("VerletSolver", "one acceleration for both", Phrase.ROW, verlet(1, 0, 0.5)),
+                Kind.wrong("VerletSolver", "half missing", Phrase.ROW, verlet(1, 1, 0.5)),
                 new Kind("VerletSolver", "velocity half a step behind", Optional.of(Phrase.FALL), Behind::new),
                 new Kind("VerletSolver", "begins without v", Optional.of(Phrase.FLIGHT), () -> new Stoermer(0, 0.5,
                         true)),
