@@ -23,9 +23,8 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
     private static final String DRAG = " where the acceleration depends on the velocity";
 
     public static Orders of(Supplier<DESolver> maker) {
-        return new Orders(OrderMeasurement.of(maker, Bodies::new), OrderMeasurement.of(maker, () -> new
-                WindyOscillators(1).from(HALF)), OrderMeasurement.of(maker, () -> WindyOscillators.withDrag().from(
-                HALF)));
+        return new Orders(OrderMeasurement.of(maker, Bodies::new), OrderMeasurement.of(maker), OrderMeasurement.of(
+                maker, () -> WindyOscillators.withDrag().from(HALF)));
     }
 
     /** @return the lower one of the orders without drag; NaN if the error does not follow deltaT */

@@ -18,6 +18,8 @@ import java.util.stream.IntStream;
  */
 public record OrderMeasurement(double order, List<double[]> points) {
     private static final double TIME = 2;
+    /** The field changes there. */
+    private static final double START = 0.5;
     /** Two hundred roundings of numbers of order 1 make 5e-14; ten times that. */
     private static final double ROUNDING = 5e-13;
     private static final int FEWEST = 8;
@@ -34,7 +36,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
-        return of(maker, () -> new WindyOscillators(1));
+        return of(maker, () -> new WindyOscillators(1).from(START));
     }
 
     /** @return the measurement on these sources, from where they are */
