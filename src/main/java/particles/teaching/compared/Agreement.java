@@ -20,7 +20,7 @@ import particles.teaching.sources.WindyOscillators;
  */
 public final class Agreement {
     /** Coefficients with eight digits, such as Gill's, leave 1e-9. */
-    private static final double PRINTED = 5e-9;
+    public static final double PRINTED = 5e-9;
     /** Float numbers leave 1e-8. */
     private static final double FLOAT = 5e-7;
     public static final double H = 0.1;
@@ -36,9 +36,6 @@ public final class Agreement {
 
     /** A method, and how far its steps are from the solver's. */
     public record Match(Method method, double distance) {
-        public boolean isFloat() {
-            return distance > PRINTED;
-        }
     }
 
     /**

@@ -29,17 +29,6 @@ final class Changes {
         return changed;
     }
 
-    /** @return the row with the weights of derivatives given to other evaluations */
-    static double[] moved(Scheme s, int r, IntUnaryOperator to) {
-        double[] row = s.rows()[r];
-        double[] changed = Arrays.copyOf(Arrays.copyOf(row, s.first()), row.length);
-        for (int c = s.first(); c < row.length; c++) {
-            int evaluation = (c - s.first()) % s.size();
-            changed[c - evaluation + to.applyAsInt(evaluation)] += row[c];
-        }
-        return changed;
-    }
-
     static double[] plus(double[] x, double[] y, double factor) {
         double[] sum = x.clone();
         Arrays.setAll(sum, c -> x[c] + factor * y[c]);

@@ -2,7 +2,6 @@ package particles.teaching.compared;
 
 import static particles.teaching.compared.Changes.each;
 import static particles.teaching.compared.Changes.inTurn;
-import static particles.teaching.compared.Changes.moved;
 
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -19,8 +18,6 @@ public enum Mistake {
     GOES_ON("it goes on from the state before and not from s (double[] trial = s makes no copy, s.clone() does)",
             s -> Stream.concat(each(s, r -> r == 0 ? Stream.empty() : Stream.of(Changes.onwards(s, r))), Stream.of(
             s.size(), s.size() + 1).map(to -> Changes.rows(s, to, Changes::onwards)))),
-    ONE_ARRAY("only the last derivative is in it: is one array used for all of them?",
-            s -> each(s, r -> r == 0 ? Stream.empty() : Stream.of(moved(s, r, j -> Math.min(r, s.size()) - 1)))),
     LEFT_AT_TRIAL("the last trial state is left there: setState with the new state is missing at the end",
             s -> Stream.of(s.with(s.size(), s.rows()[s.size() - 1]))),
     FROZEN("velocities stand still while positions make their step, and the other way round",

@@ -3,9 +3,9 @@ package particles.teaching.measured;
 import deSolvers.DESolver;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.declared.Declaration;
-import particles.teaching.declared.Method;
 import particles.teaching.sources.Bodies;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.WindyOscillators;
@@ -19,8 +19,6 @@ import particles.teaching.sources.WindyOscillators;
  */
 public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasurement drag) {
     private static final double HALF = 0.5;
-    private static final String BODIES = " where bodies attract each other";
-    private static final String DRAG = " where the acceleration depends on the velocity";
 
     public static Orders of(Supplier<DESolver> maker) {
         return new Orders(OrderMeasurement.of(maker, Bodies::new), OrderMeasurement.of(maker), OrderMeasurement.of(
@@ -41,22 +39,19 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
         return bodies.order() < clock.order() ? bodies : clock;
     }
 
+    private String where(OrderMeasurement measured) {
+        return measured == drag ? " where the acceleration depends on the velocity" : measured == bodies
+                && !(bodies.order() > clock.order() - HALF) ? " where bodies attract each other" : "";
+    }
+
     /** @return the mistake of errors that do not go to 0, or not as fast as declared, or far slower on one source */
     public Optional<Finding> mistake(Optional<Declaration> declared, boolean withDrag) {
-        return far(bodies, BODIES).or(() -> far(clock, "")).or(() -> far(drag, DRAG)).or(() -> declared.map(
-                Declaration::method).flatMap(method -> low(lower(), bodies.order() < clock.order() - HALF ? BODIES : "",
-                method).or(() -> withDrag ? low(drag, DRAG, method) : Optional.empty()))).or(() ->
-                Phrase.OTHER_ORDER.when(Math.abs(bodies.order() - clock.order()) > 3 * HALF, bodies.digits(),
-                clock.digits()));
-    }
-
-    private static Optional<Finding> far(OrderMeasurement measured, String where) {
-        return Phrase.NO_CONVERGENCE.when(measured.isFar(), where, measured.smallest()[1], measured.smallest()[0]);
-    }
-
-    private static Optional<Finding> low(OrderMeasurement measured, String where, Method method) {
-        return Phrase.LOW_ORDER.when(measured.order() < method.order() - HALF, measured.digits(), where, method.title(),
-                method.order(), method.isFamily() ? " or more" : "");
+        return Stream.of(bodies, clock, drag).filter(OrderMeasurement::isFar).map(one -> Phrase.NO_CONVERGENCE.of(where(
+                one), one.smallest()[1], one.smallest()[0])).findFirst().or(() -> declared.map(Declaration::method)
+                .flatMap(method -> Stream.of(lower(), withDrag ? drag : clock).filter(one -> one.order()
+                < method.order() - HALF).map(one -> Phrase.LOW_ORDER.of(one.digits(), where(one), method.title(),
+                method.order(), method.isFamily() ? " or more" : "")).findFirst())).or(() -> Phrase.OTHER_ORDER.when(
+                Math.abs(bodies.order() - clock.order()) > 3 * HALF, bodies.digits(), clock.digits()));
     }
 
     /** @return the note on a method whose order falls with drag */

@@ -154,8 +154,8 @@ public final class SolverCheck {
                 && known.isEmpty() && !remembers);
         return first(
                 () -> contradicts(known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent())),
-                () -> match.filter(Match::isFloat).map(one -> Phrase.SEVEN_DIGITS.of(one.method().title(),
-                        one.distance())),
+                () -> match.filter(one -> one.distance() > Agreement.PRINTED).map(one -> Phrase.SEVEN_DIGITS.of(
+                        one.method().title(), one.distance())),
                 () -> FreeFall.mistake(maker, remembers ? STEPS : 1),
                 () -> Units.mistake(maker),
                 () -> implicit.flatMap(method -> solved(method, fit, read)),

@@ -25,13 +25,6 @@ public final class Springs extends StudentSource implements SecondOrderSource {
     }
 
     @Override
-    public double[] exactState(double t) {
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
-        return new double[] {cos, sin, 0, -sin, cos, 0};
-    }
-
-    @Override
     protected void rates(double t, double[] s, double[] dSdt) {
         for (int k = 0; k < 3; k++) {
             dSdt[k] = s[k + 3];

@@ -393,6 +393,10 @@ final class Kinds {
                     double[] end = plus(s, h, slope(source));
                     source.setState(end);
                     source.incTime(Arrays.equals(s, end) ? 0 : h);
+                })), Kind.wrong("Mine", "midpoint, the clock at the end", Phrase.OTHER_TIME, from((source, h, s) -> {
+                    double[] k = slope(source);
+                    source.setState(plus(s, h, slopeAt(source, plus(s, h / 2, k))));
+                    source.incTime(h);
                 })), Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
     }
 
