@@ -97,10 +97,15 @@ public final class Agreement {
         return distance(made.get(0), scheme);
     }
 
-    /** @return the typical mistake, in one of these methods, that makes the solver's steps */
-    public Optional<Cause> mistake(Stream<Method> methods) {
+    /**
+     * @param methods the methods in which it may be
+     * @param read    the weights of the solver, which has as many evaluations if one of them is another
+     * @return the typical mistake that makes the solver's steps
+     */
+    public Optional<Cause> mistake(Stream<Method> methods, Optional<Scheme> read) {
         return methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(Mistake.values())
-                .flatMap(mistake -> mistake.steps(scheme).filter(step -> distance(scheme, step) < PRINTED).map(step ->
+                .flatMap(mistake -> mistake.steps(scheme).filter(step -> (!(step instanceof Scheme) || read.filter(
+                own -> own.size() == scheme.size()).isPresent()) && distance(scheme, step) < PRINTED).map(step ->
                 new Cause(method, scheme, mistake, step))))).findFirst();
     }
 }

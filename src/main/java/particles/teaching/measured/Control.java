@@ -33,7 +33,14 @@ public record Control(Supplier<DESolver> maker) {
 
     /** @return whether a longer step has many more parts */
     public boolean makesSubSteps() {
-        return after(1, LONG).times() > STEPS / 2 * after(1, LONG / STEPS).times();
+        return none().isEmpty();
+    }
+
+    /** @return the mistake of a method with step-size control whose longer steps do not have many more parts */
+    public Optional<Finding> none() {
+        int parts = after(1, LONG).times();
+        int few = after(1, LONG / STEPS).times();
+        return Phrase.NO_CONTROL.when(parts <= STEPS / 2 * few, parts, few);
     }
 
     /** @return the mistake of sub-steps with which one long step is far less accurate than several short ones */

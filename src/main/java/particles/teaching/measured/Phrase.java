@@ -38,7 +38,6 @@ public enum Phrase {
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
     OTHER_TIME(Kind.TIME, "%s %s: the state there is that of %s"),
-    COUNT(Kind.METHOD, "%s; a step evaluates the derivative %s times, and %s does %s times"),
     OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
             + " and the velocity %s a deltaT; with %s they are %s and %s"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
@@ -47,8 +46,8 @@ public enum Phrase {
     EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or"
             + " another one is"),
     NOTHING_EARLIER(Kind.NAME, "%s uses earlier steps; each step of this solver is the one that a new solver makes"),
-    NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, a step of 4 s and one of"
-            + " 1/4 s take as many evaluations: there is no step-size control"),
+    NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, the clock is at %s times in a"
+            + " step of 4 s and at %s in one of 1/4 s: there is no step-size control"),
     // measured
     NO_CONVERGENCE(Kind.METHOD, "the error does not go to 0 with deltaT%s: it is still %s with deltaT = %s s"),
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),
@@ -63,7 +62,7 @@ public enum Phrase {
     KEPT(Kind.STATE, "after six steps and reset(), a step of a source of %s particles with deltaT = %s s %s, unlike"
             + " that of a new solver: something of earlier steps is kept"),
     BACK(Kind.STATE, "after a step of %s s and one back the state is off by %s and the clock by %s s, and the step"
-            + " alone is off by %s: the sign of deltaT is lost"),
+            + " alone is off by %s: deltaT is negative in a step back"),
     SWALLOWS(Kind.STATE, "the source threw an exception, and stepState returned as if nothing had happened: do not"
             + " catch it, so that the caller learns of it"),
     NAN(Kind.STATE, "where the derivative is NaN, %s: after a blow-up, nobody learns of it"),

@@ -126,7 +126,7 @@ public final class SolverCheck {
         boolean isOther = known.isPresent() || remembers;
         Optional<Scheme> read = isOther ? Optional.empty() : Reading.of(maker);
         Optional<Finding> wrong = measured(match, fit, read, remembers);
-        Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects());
+        Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects(), read);
         return wrong.isPresent() ? cause.map(SolverCheck::named).or(() -> wrong.map(finding -> compared(finding,
                 read))) : cause.filter(this::isMeant).map(SolverCheck::named).or(() -> declared.filter(one ->
                 one.asked() && !isOther && !one.method().schemes().isEmpty()).map(one -> Phrase.NOT_THE_METHOD.of(one
@@ -189,8 +189,8 @@ public final class SolverCheck {
 
     /** Sub-steps control the error, and a method with step-size control makes some. */
     private Optional<Finding> controlled() {
-        return control.makesSubSteps() ? control.uncontrolled() : Phrase.NO_CONTROL.when(method().equals(Optional.of(
-                Method.ADAPTIVE)));
+        return control.makesSubSteps() ? control.uncontrolled() : method().filter(method -> method == Method.ADAPTIVE)
+                .flatMap(method -> control.none());
     }
 
     /** Measures the orders, and says what an unknown method is. */
@@ -229,10 +229,9 @@ public final class SolverCheck {
         Scheme known = right.get();
         return read.filter(scheme -> scheme.particles() == known.particles()).map(scheme -> {
             Scheme used = scheme.size() == known.size() ? scheme : Reading.used(scheme);
-            int r = used.size() == known.size() ? used.unlike(known) : 0;
-            return used.size() != known.size() ? Phrase.COUNT.of(finding.text(), scheme.size(), title, known.size())
-                    : r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), title, known
-                    .formula(r));
+            int r = used.size() == known.size() ? used.unlike(known) : used.size();
+            return r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), title, known.formula(
+                    r == used.size() ? known.size() : r));
         }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(other ->
                 finding.cause() != Phrase.FALL && own.isUnlike(other)).map(other -> Phrase.OTHER_STEP.of(finding.text(),
                 own.fell(), own.speed(), title, other.fell(), other.speed())))).orElse(finding);
