@@ -38,17 +38,17 @@ public final class Simulation {
      * @param system      the system
      * @param solver      makes its solver, and another one that locates events: its trial steps must not disturb the
      *                    memory of the run's own
-     * @param deltaT      the time step (s), positive
+     * @param deltaT      the time step (s), positive; a run that is shorter makes one step of its duration
      * @param duration    the duration of the run, from the system's present time (s), 0 or more
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Simulation(ParticleSystem system, Supplier<DESolver> solver, double deltaT, double duration) {
         this.system = system;
         this.solver = solver.get();
-        this.deltaT = Require.positive("deltaT", deltaT);
         this.duration = Require.notNegative("the duration", duration);
+        this.deltaT = Math.min(Require.positive("deltaT", deltaT), duration > 0 ? duration : deltaT);
         this.eventSteps = new EventSteps(system, this.solver, solver, observers);
-        constraints = new ConstraintCheck(deltaT * (1 + ROUNDING), duration);
+        constraints = new ConstraintCheck(this.deltaT * (1 + ROUNDING), duration);
         observers.add(constraints);
     }
 

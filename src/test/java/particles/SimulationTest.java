@@ -52,6 +52,16 @@ class SimulationTest {
             0.001, 10,   10000
             0.1,   0,    0
             0.25,  1e6,  4000000
+            0.001, 500,  500000
+            0.01,  1e4,  1000000
+            0.1,   0.3,  3
+            0.7,   2.1,  3
+            0.003, 0.3,  100
+            1e-5,  1,    100000
+            0.06,  0.6,  10
+            0.3,   2.71, 10
+            0.1,   1.05, 11
+            1e8,   12.6, 1
             """)
     void theRunEndsAtItsDuration(double deltaT, double duration, long steps) {
         ParticleSystem system = new ParticleSystem();

@@ -1,8 +1,10 @@
 package particles.effects;
 
 import deSolvers.ForceDerivatives;
+import java.util.Optional;
 import java.util.Set;
 import particles.law.BriefForce;
+import particles.law.CentralForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -14,6 +16,7 @@ import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
+import particles.spec.messages.Wording;
 
 /**
  * The slides' "penalty force" of a stiff plane or sphere: a particle at depth d inside is pushed out along the surface
@@ -23,12 +26,13 @@ import particles.spec.VectorType;
  * </pre>
  * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. It does not
  * stop particles at the surface: they enter the solid a little. Without loss, a particle of mass m is inside a plane
- * for pi sqrt(m/k) and leaves as fast as it came. At the centre of a ball, which has no normal, there is no push.
+ * for pi sqrt(m/k) and leaves as fast as it came. The centre of a ball has no normal: scenes and births with a particle
+ * there are refused. One that passes through it is not pushed there.
  *
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
  * (1975).
  */
-public final class Penalty implements PerParticleEffect, DifferentiableEffect, BriefForce {
+public final class Penalty implements PerParticleEffect, DifferentiableEffect, BriefForce, CentralForce {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -145,6 +149,17 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect, B
             }
         }
         return shortest;
+    }
+
+    @Override
+    public Optional<String> findUndirected(double[] state, int first) {
+        for (int i = first; round && side > 0 && i < particles.count(); i++) {
+            if (depth(state, i) > 0 && length(state, STRIDE * i) == 0) {
+                return Optional.of(Wording.quote(particles.id(i)) + " is at the centre of " + getName()
+                        + ", where it has no direction in which to push");
+            }
+        }
+        return Optional.empty();
     }
 
     @Override

@@ -1,15 +1,20 @@
 package particles.effects;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import particles.law.CentralForce;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Require;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.Values;
+import particles.spec.messages.Wording;
 
 /**
  * Soft spheres: particles are balls that push each other apart where they overlap. With r = x_i - x_j and the overlap
@@ -80,11 +85,6 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
             radii = Arrays.copyOf(radii, count + count / 3);
             Arrays.fill(radii, before, radii.length, radius);
         }
-    }
-
-    @Override
-    public Particles getParticles() {
-        return particles;
     }
 
     @Override
@@ -200,6 +200,21 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
         }
         Arrays.fill(radii, left, radii.length, radius);
         lists.forget();
+    }
+
+    /** {@inheritDoc} Two fixed balls do not count. */
+    @Override
+    public Optional<String> findUndirected(double[] state, int first) {
+        Map<Vector3, Integer> places = new HashMap<>();
+        for (int i = 0; i < particles.count(); i++) {
+            Vector3 place = Vector3.at(state, Particles.STRIDE * i).plus(Vector3.ZERO);     // -0 becomes 0
+            Integer other = places.put(place, i);
+            if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
+                return Optional.of(Wording.quote(particles.id(other)) + " and " + Wording.quote(particles.id(i))
+                        + " are at the same place; soft balls there have no direction in which to push each other");
+            }
+        }
+        return Optional.empty();
     }
 
     /** Repulsion in scenes. */

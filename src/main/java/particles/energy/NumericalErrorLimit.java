@@ -99,7 +99,7 @@ public final class NumericalErrorLimit implements Observer {
         }
         if (isAboveScale(largest)) {
             boolean aboveAll = isAboveAll(largest);
-            double scale = (aboveAll ? energy.getScale() : expected()) + putIn();
+            double scale = (aboveAll ? getScale() : expected()) + putIn();
             throw new SimulationException(End.WRONG_MOTION, passed, strongest, "the numerical error of "
                     + Digits.few(largest) + " J is " + (aboveAll ? "" : "over " + WRONG_GAIN + " times ")
                     + (aboveAll ? "larger than the energy scale" : "the rest of the energy")

@@ -1,35 +1,19 @@
 package particles.law;
 
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Optional;
 
 /**
- * A force law that pushes particles along the line between them, however near they are. It says nothing of two with the
- * same centre: scenes and births with such particles are refused.
+ * A force law that pushes particles away from a place, however near they are. At that place itself the force has no
+ * direction: scenes and births that put a particle there are refused.
  */
 public interface CentralForce extends Effect {
 
-    /** @return the particles on which it acts */
-    Particles getParticles();
-
     /**
-     * Looks for two particles with the same centre.
+     * Looks for a particle at a place where the force on it has no direction.
      *
      * @param state the particles' state
-     * @param first looks for particles from this one on, at the place of any other; two fixed ones do not count
-     * @return their indices, if there are any
+     * @param first looks for particles from this one on
+     * @return which particle is where, for a message, if there is any
      */
-    default Optional<int[]> findAtOnePlace(double[] state, int first) {
-        Particles particles = getParticles();
-        Map<Vector3, Integer> places = new HashMap<>();
-        for (int i = 0; i < particles.count(); i++) {
-            Vector3 place = Vector3.at(state, Particles.STRIDE * i).plus(Vector3.ZERO);     // -0 becomes 0
-            Integer other = places.put(place, i);
-            if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
-                return Optional.of(new int[] {other, i});
-            }
-        }
-        return Optional.empty();
-    }
+    Optional<String> findUndirected(double[] state, int first);
 }

@@ -122,7 +122,7 @@ public final class Emitter implements Rule {
         system.setLife(i, birth, birth + nozzle.lifetime());
         balls.ifPresent(rule -> rule.addBall(i));
         born++;
-        requireApart(system, i);
+        requireDirections(system, i);
         aim();
         return true;
     }
@@ -143,13 +143,11 @@ public final class Emitter implements Rule {
         }
     }
 
-    private static void requireApart(ParticleSystem system, int newborn) {
+    private static void requireDirections(ParticleSystem system, int newborn) {
         for (Effect effect : system.getEffects()) {
             if (effect instanceof CentralForce central) {
-                central.findAtOnePlace(system.getOwnState(), newborn).ifPresent(pair -> {
-                    throw new SimulationException(system.getTime(), -1, "'" + system.getParticles().id(newborn)
-                            + "' is born at the place of '" + system.getParticles().id(pair[0])
-                            + "'; soft balls there have no direction in which to push each other", null);
+                central.findUndirected(system.getOwnState(), newborn).ifPresent(where -> {
+                    throw new SimulationException(system.getTime(), -1, where, null);
                 });
             }
         }

@@ -32,7 +32,6 @@ import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
-import particles.spec.messages.Wording;
 import particles.view.Scenery.Surface;
 
 /**
@@ -113,22 +112,20 @@ public final class SceneBuilder {
         if (scene.hasHardBalls()) {
             simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), scene));
         }
-        checkApart(system, scene);
+        checkDirections(system, scene);
         assembly.rules().forEach(simulation::addRule);
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
     }
 
-    private static void checkApart(ParticleSystem system, SceneDescription scene) {
+    private static void checkDirections(ParticleSystem system, SceneDescription scene) {
         for (Effect effect : system.getEffects()) {
             if (effect instanceof CentralForce central) {
-                central.findAtOnePlace(system.getOwnState(), 0).ifPresent(pair -> {
+                central.findUndirected(system.getOwnState(), 0).ifPresent(where -> {
                     throw new InvalidInputException(scene.values().get(SceneFormat.EFFECTS).stream()
                             .filter(chosen -> chosen.kind().getName().equals(central.getName())).findFirst()
-                            .orElseThrow().place() + ": " + Wording.quote(system.getParticles().id(pair[0])) + " and "
-                            + Wording.quote(system.getParticles().id(pair[1]))
-                            + " are at the same place; soft balls there have no direction in which to push each other");
+                            .orElseThrow().place() + ": " + where);
                 });
             }
         }

@@ -117,4 +117,40 @@ class BirthsWithinStepsTest {
                 """ + emitter(17));
         assertEquals(1 + Math.cos(9) / 2, run.at(6), 1e-5);
     }
+
+    /** In any direction, at any speed and rate. Solvers of order 1 are off by up to g deltaT times the age. */
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            0.1,   0.99,  10,  0,  1,  0
+            0.01,  33,    10,  0,  1,  0
+            0.05,  7.3,   0,   0,  1,  0
+            0.2,   11,    100, 1,  0,  0
+            0.003, 250,   3,   0,  0,  1
+            0.7,   1.9,   5,   1,  1,  1
+            1.5,   3.1,   20,  -1, 2,  0
+            2,     40,    1,   0,  -1, 0
+            0.04,  25,    7,   1,  0,  -1
+            0.125, 8,     2,   3,  4,  0
+            0.09,  13.7,  0.1, 0,  1,  1
+            """)
+    void everySolverMovesDropsFromTheirBirthOn(double deltaT, double rate, double speed, double x, double y, double z) {
+        double[] way = {x, y, z};
+        double length = Math.sqrt(x * x + y * y + z * z);
+        for (SolverInfo solver : SolverCatalog.all()) {
+            ShortRun run = jet(solver.name() + " exact " + deltaT + " 1.5", "gravity", emitter(rate)
+                    .replace("speed: 10", "speed: " + speed + ", direction: [" + x + ", " + y + ", " + z + "]"));
+            assertEquals(1 + (int) (1.5 * rate + 1e-6), run.getSystem().getParticles().count());
+            for (int i = 1; i < run.getSystem().getParticles().count(); i++) {
+                double age = 1.5 - i / rate;
+                double late = solver.order() == 1 ? G * Math.min(deltaT, age) * age : 0;
+                for (int c = 0; c < 3; c++) {
+                    double v = speed * way[c] / length;
+                    double g = c == 1 ? G : 0;
+                    assertEquals(v - g * age, run.at(6 * i + 3 + c), 1e-9, solver.name());
+                    assertEquals(v * age - g * age * age / 2, run.at(6 * i + c), 1e-9 + (c == 1 ? late : 0),
+                            solver.name());
+                }
+            }
+        }
+    }
 }

@@ -49,6 +49,13 @@ class AtOnePlaceTest {
             "position: [0, 0, 0]; position: [0, 0, 0]",
             "position: [1, 2, 3]; position: [1, 2, 3], velocity: [1, 0, 0]",
             "position: [0, -0.0, 0]; position: [0, 0.0, 0], fixed: true",
+            "position: [0, 0, 0], fixed: true; position: [0, 0, 0], velocity: [0, 5, 0]",
+            "position: [1e-39, 0, 0]; position: [1e-39, 0, 0]",
+            "position: [0.1, 0.2, 0.3], mass: 1e-6; position: [0.1, 0.2, 0.3], mass: 1e6",
+            "position: [0, 0, 7]; position: [0, 0, 7], radius: 0.01",
+            "position: [-0.0, -0.0, -0.0]; position: [0, 0, 0]",
+            "position: [1e6, 0, 0], velocity: [1, 2, 3]; position: [1e6, 0, 0], velocity: [1, 2, 3]",
+            "position: [3, 2, 1], fixed: true; position: [3, 2, 1], velocity: [0, 0, 0]",
     })
     void softBallsWithOneCentreAreRefused(String a, String b) {
         assertTrue(refusal(soft(a, b)).contains("x.yaml:9:11: 'a' and 'b' are at the same place; soft balls there"
@@ -60,6 +67,28 @@ class AtOnePlaceTest {
         assertDoesNotThrow(() -> TestScenes.build(soft("position: [0, 0, 0], fixed: true",
                 "position: [0, 0, 0], fixed: true")));
         assertDoesNotThrow(() -> TestScenes.build(soft("position: [0, 0, 0]", "position: [0, 1e-40, 0]")));
+    }
+
+    /** The centre of a soft solid has no normal; that of a hollow one, and one's own place outside, do not matter. */
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {
+            "position: [0, 0, 0]; centre: [0, 0, 0]; true",
+            "position: [0, 0, 0], velocity: [1, 0, 0]; centre: [0, -0.0, 0]; true",
+            "position: [1, 2, 3]; centre: [1, 2, 3]; true",
+            "position: [1, 2, 3], fixed: true; centre: [1, 2, 3]; false",
+            "position: [1, 2, 3]; centre: [1, 2, 3], hollow: true; false",
+            "position: [0, 1e-40, 0]; centre: [0, 0, 0]; false",
+            "position: [0, 5, 0]; centre: [0, 0, 0]; false",
+    })
+    void aParticleAtTheCentreOfASoftSolidIsRefused(String a, String solid, boolean refused) {
+        String text = scene("rk4", a, "position: [9, 9, 9]", "effects: [penaltySphere: {" + solid
+                + ", radius: 1, stiffness: 10}]\n");
+        if (refused) {
+            assertTrue(refusal(text).contains("x.yaml:9:11: 'a' is at the centre of penaltySphere, where it has no"
+                    + " direction in which to push"), refusal(text));
+        } else {
+            assertDoesNotThrow(() -> TestScenes.build(text));
+        }
     }
 
     @Test
@@ -84,8 +113,19 @@ class AtOnePlaceTest {
         Scene scene = TestScenes.build(soft("position: [0, 0, 0]", "position: [5, 0, 0]")
                 + "rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1.3}]\n");
         SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
-        assertEquals("rk4 stopped at t = 0.769 s: 'e[0]' is born at the place of 'a'; soft balls there have no"
+        assertEquals("rk4 stopped at t = 0.769 s: 'a' and 'e[0]' are at the same place; soft balls there have no"
                 + " direction in which to push each other", new BlowUpMessage(scene, end, name -> name).lines());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1", "1, 1", "10, 0.99", "0, 33", "3, 0.7"})
+    void aBirthAtTheCentreOfASoftSolidEndsTheRun(double speed, double rate) {
+        Scene scene = TestScenes.build(scene("verlet", "position: [5, 0, 0]", "position: [9, 0, 0]",
+                "effects: [penaltySphere: {centre: [1, 0, 0], radius: 1, stiffness: 10}]\n"
+                + "rules: [emitter: {id: e, position: [1, 0, 0], speed: " + speed + ", rate: " + rate + "}]\n"));
+        SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
+        assertTrue(end.getMessage().startsWith("'e[0]' is at the centre of penaltySphere"), end.getMessage());
+        assertEquals(1 / rate, end.getTime(), 1e-12);
     }
 
     /** x_b = v t/2 - v sin(w t)/(2 w) with w^2 = 2 k/m. The order shows: each method's own error after 28 radians. */

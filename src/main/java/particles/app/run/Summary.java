@@ -93,7 +93,7 @@ record Summary(String name, String hash, String set, Scene scene, EnergyRecorder
     List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();
         String solverName = scene.description().solver();
-        double deltaT = simulation().getDeltaT();
+        double deltaT = scene.description().deltaT();
         double duration = simulation().getDuration();
         double time = scene.system().getTime();
         lines.add(scene.description().title() + ": " + solverName + ", deltaT = " + Digits.exact(deltaT) + " s");
