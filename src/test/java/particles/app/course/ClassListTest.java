@@ -37,6 +37,25 @@ class ClassListTest {
                 + " with the id first"), list.remarks());
     }
 
+    /** Quotes keep commas, semicolons, tabs and quotes within a name, whatever parts the columns. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            s1,"Doe, Jane"                | Doe, Jane
+            "s1","Doe, Jane"              | Doe, Jane
+            s1,"Doe, Jane, Mary"          | Doe, Jane, Mary
+            s1,"Doe; Jane"                | Doe; Jane
+            s1,Doe; Jane                  | Doe; Jane
+            s1,"Jane ""JD"" Doe"          | Jane "JD" Doe
+            s1,"Doe, ""JD"" Jane"         | Doe, "JD" Jane
+            s1,"O'Hara, Kim"              | O'Hara, Kim
+            s1,"Müller, Özlem"  | Müller, Özlem
+            s1,Jane Doe,"x, y"            | Jane Doe
+            s1,"de la Cruz, Ana, Jr."     | de la Cruz, Ana, Jr.
+            """)
+    void aNameInQuotesMayHaveAnySign(String line, String name) throws Exception {
+        assertEquals(List.of("s1|" + name + "||"), shown(list("id,name,group", line)));
+    }
+
     @Test
     void moodlesOwnListsAreRead() throws Exception {
         assertEquals(List.of("ann@x.nz|Ann Lee|ann@x.nz|"), shown(list("\ufeff\"First name\",\"Last name\","
