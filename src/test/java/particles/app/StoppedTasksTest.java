@@ -45,7 +45,8 @@ class StoppedTasksTest {
     /** Those that only print a few lines end before a signal reaches them; the lab's page has another class path. */
     static Stream<String> tasks() {
         return Main.commands(new StopRequest()).stream().map(ProgramCommand::name).filter(name -> !List.of("scenes",
-                "solvers", "exercise", "newSolver", "newEffect", "autograding", "sheets", "lab", "gallery", "checkEffect").contains(name));
+                "solvers", "exercise", "newSolver", "newEffect", "autograding", "sheets", "lab", "gallery",
+                "checkEffect").contains(name));
     }
 
     private List<String> arguments(String task) throws IOException {

@@ -113,7 +113,8 @@ record Result(int version, Status status, double maxScore, List<Item> tests, Str
 
     /** @return why there are no marks */
     String reason() {
-        return state.words() + ": " + student + problems.stream().map(line -> ", " + line).collect(Collectors.joining());
+        return state.words() + ": " + Stream.concat(Stream.of(student), problems.stream()).collect(Collectors.joining(
+                ", "));
     }
 
     /** @return the contents of the file */

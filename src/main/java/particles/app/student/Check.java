@@ -45,7 +45,8 @@ public record Check(String command, String subject, String method) {
 
         /** A class that cannot be checked, for this reason. */
         Checked(String subject, Exception reason) {
-            this(subject, "It cannot be checked.", List.of(new Finding(Kind.FAILURE, String.valueOf(reason.getMessage()))));
+            this(subject, "It cannot be checked.", List.of(new Finding(Kind.FAILURE,
+                    String.valueOf(reason.getMessage()))));
         }
 
         boolean isRight() {

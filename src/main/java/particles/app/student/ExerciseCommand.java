@@ -12,8 +12,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * {@code gradle exercise}: the list of exercises; with {@code -Pnumber=5 -Pstudent=ID} the text of one with the student's
- * own numbers, and with {@code -Panswer} the mark.
+ * {@code gradle exercise}: the list of exercises; with {@code -Pnumber=5 -Pstudent=ID} the text of one with the
+ * student's own numbers, and with {@code -Panswer} the mark.
  */
 @Command(name = "exercise",
         description = "Lists the exercises, shows one with numbers of your own, or marks your answer.")

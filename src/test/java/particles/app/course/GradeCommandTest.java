@@ -342,7 +342,7 @@ class GradeCommandTest {
         String assignment = assignment("exercises: {2: 1}\nsolvers: {}\n");
         answer("2: " + spiral(run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT), 1));
         assertHas(grade(ExitCode.DONE, assignment), "1 of 1 points");
-        Path handIn = Files.createDirectories(folder.resolve("class")).resolve(STUDENT);
+        Path handIn = Files.createDirectories(folder.resolve("build/class")).resolve(STUDENT);
         Files.createDirectory(handIn);
         Files.copy(folder.resolve("answers.yaml"), handIn.resolve("answers.yaml"));
         for (Path place : List.of(folder, handIn)) {
