@@ -36,6 +36,7 @@
  *
  * <p>What both commands promise:
  * <ul>
+ * <li>A hand-in with a file that cannot be read has no marks; both say which file it is, and why.
  * <li>A line of the answers that cannot be read costs only its own answer. A scene is read only from the hand-in, and
  * links are not followed.
  * <li>{@code grade} takes no result that is there already; {@code gradeClass} only results of the same hand-in.
