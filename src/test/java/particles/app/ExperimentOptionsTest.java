@@ -29,7 +29,7 @@ class ExperimentOptionsTest {
     @Test
     void chartsAreSlidesAndSvgOnlyWhereThereAreCharts() {
         Set<String> expected = Set.of("run", "lectureFigures", "energyDrift", "workPrecision", "stiffGallery",
-                "phasePlots", "stability", "effectCost", "stiffCloth", "race", "sweep", "report", "checkSolver");
+                "phasePlots", "stability", "effectCost", "stiffCloth", "race", "sweep", "report");
         for (ProgramCommand command : Main.commands(new StopRequest())) {
             CommandSpec spec = new CommandLine(command).getCommandSpec();
             for (String option : List.of("--slide", "--svg")) {
