@@ -227,8 +227,9 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         Ball ball = balls.get(0);
         double radius = Math.max(1e-3, ball.velocity.length() * run.deltaT * post.size);
         double rate = ball.velocity.length() / radius;
-        return map("centre", list(ball.position.plus(ball.velocity.times(run.deltaT * run.steps * post.when))
-                .plus(post.aside.times(radius))), "radius", radius, "stiffness", post.hardness * ball.mass * rate * rate);
+        Vector3 passed = ball.position.plus(ball.velocity.times(run.deltaT * run.steps * post.when));
+        return map("centre", list(passed.plus(post.aside.times(radius))), "radius", radius, "stiffness",
+                post.hardness * ball.mass * rate * rate);
     }
 
     /** @return which of the hunted kinds it is of */

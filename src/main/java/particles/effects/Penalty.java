@@ -16,7 +16,6 @@ import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
-import particles.spec.messages.Wording;
 
 /**
  * The slides' "penalty force" of a stiff plane or sphere: a particle at depth d inside is pushed out along the surface
@@ -155,7 +154,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect, B
     public Optional<String> findUndirected(double[] state, int first) {
         for (int i = first; round && side > 0 && i < particles.count(); i++) {
             if (depth(state, i) > 0 && length(state, STRIDE * i) == 0) {
-                return Optional.of(Wording.quote(particles.id(i)) + " is at the centre of " + getName()
+                return Optional.of("'" + particles.id(i) + "' is at the centre of " + getName()
                         + ", where it has no direction in which to push");
             }
         }

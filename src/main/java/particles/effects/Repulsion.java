@@ -14,7 +14,6 @@ import particles.spec.Key;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.Values;
-import particles.spec.messages.Wording;
 
 /**
  * Soft spheres: particles are balls that push each other apart where they overlap. With r = x_i - x_j and the overlap
@@ -210,8 +209,8 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
             Vector3 place = Vector3.at(state, Particles.STRIDE * i).plus(Vector3.ZERO);     // -0 becomes 0
             Integer other = places.put(place, i);
             if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
-                return Optional.of(Wording.quote(particles.id(other)) + " and " + Wording.quote(particles.id(i))
-                        + " are at the same place; soft balls there have no direction in which to push each other");
+                return Optional.of("'" + particles.id(other) + "' and '" + particles.id(i)
+                        + "' are at the same place; soft balls there have no direction in which to push each other");
             }
         }
         return Optional.empty();

@@ -75,7 +75,8 @@ class RightOrRefusedTest {
 
     /**
      * From an angle in degrees below the horizontal. Symplectic Euler spins a pendulum up, as no rod's force may depend
-     * on the velocity for it to keep the energy; the others gain or lose 0.21 at most, the midpoint method in long steps.
+     * on the velocity for it to keep the energy. The others gain or lose 0.21 at most, the midpoint method in long
+     * steps.
      */
     @ParameterizedTest
     @CsvSource(textBlock = """
@@ -144,8 +145,8 @@ class RightOrRefusedTest {
     }
 
     /**
-     * omega deltaT. After 1,000 steps a damped motion is nothing but round-off, and at rest it stays at rest: measured 5e-14
-     * m/s. The midpoint rule keeps the energy without damping; what is far too fast for it, it does not damp.
+     * omega deltaT. After 1,000 steps a damped motion is nothing but round-off, and at rest it stays at rest: measured
+     * 5e-14 m/s. The midpoint rule keeps the energy without damping; what is far too fast for it, it does not damp.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 2, 5, 19, 20, 21, 50, 100, 1e3, 1e4, 1e6})
@@ -200,8 +201,8 @@ class RightOrRefusedTest {
                           - shake: {particle: h2, amplitude: [%3$s, 0, 0], period: %4$s}
                         """, 0.1 + 0.2 * k, restitution, amplitude, period).run();
             }
-            double bound = SolverCatalog.info(solver).order() == 1 ? 3e-3 : SolverCatalog.info(solver).order() == 2 ? 2e-5
-                    : 1e-6;
+            int order = SolverCatalog.info(solver).order();
+            double bound = order == 1 ? 3e-3 : order == 2 ? 2e-5 : 1e-6;
             assertEquals(runs[1].at(12), runs[0].at(12), bound, solver);
             assertEquals(0.1, runs[0].distance(2, 3), solver.equals("linearised-euler") ? 2e-5 : 1e-15, solver);
         }
@@ -279,8 +280,8 @@ class RightOrRefusedTest {
             """)
     void aSpringOfRestLengthZeroPullsBackFromOnePlace(double m, double n, double k, double v) {
         double w = Math.sqrt(k * (1 / m + 1 / n));
-        Map.of("rk4", 4.5e-7, "verlet", 1.1e-3, "dormand-prince", 4.1e-10, "radau", 2.4e-10, "implicit-midpoint", 1.8e-3)
-                .forEach((solver, measured) -> {
+        Map.of("rk4", 4.5e-7, "verlet", 1.1e-3, "dormand-prince", 4.1e-10, "radau", 2.4e-10, "implicit-midpoint",
+                1.8e-3).forEach((solver, measured) -> {
             ShortRun run = scene(solver, 0.05 / w, 10 / w, """
                     particles:
                       - {id: a, mass: %s, position: [0, 0, 0]}
