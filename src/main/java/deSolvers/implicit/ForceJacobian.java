@@ -26,6 +26,7 @@ public final class ForceJacobian implements ForceDerivatives {
     private final double[] term;
     private double size;                                // of the base
     private boolean exact;
+    private boolean inContact;                          // whether a reaction has transformed rows
     private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
     private final double[] projected = new double[9];
     private final double[] row = new double[9];
@@ -102,12 +103,18 @@ public final class ForceJacobian implements ForceDerivatives {
         Arrays.fill(damping.getValues(), 0);
         named = 0;
         matches = true;
+        inContact = false;
         source.addJacobianBlocks(this);
     }
 
     /** Whether the blocks are the whole derivative. */
     boolean isExact() {
         return exact;
+    }
+
+    /** Whether a contact's force, which depends on all others, is in the blocks. */
+    boolean isInContact() {
+        return inContact;
     }
 
     BlockPattern getPattern() {
@@ -246,6 +253,7 @@ public final class ForceJacobian implements ForceDerivatives {
 
     @Override
     public void transformRow(int i, double[] matrix) {
+        inContact = true;
         stiffness.transformRow(i, matrix, row);
         damping.transformRow(i, matrix, row);
     }

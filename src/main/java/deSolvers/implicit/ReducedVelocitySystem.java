@@ -204,7 +204,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
      */
     @Override
     public double slope(double[] residual, double[] solution, double[] direction) {
-        double[] weight = jacobian.isExact() ? residual : solution;
+        double[] weight = jacobian.isExact() && !jacobian.isInContact() ? residual : solution;
         double sum = 0;
         for (int i = 0; i < m; i++) {
             sum += jacobian.mass(i / 3) * weight[place(i) + 3] * direction[place(i) + 3];
@@ -212,7 +212,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         return sum;
     }
 
-    /** The accelerations are sums of K x/m, which may cancel; so may those of a wire and gravity. */
+    /**
+     * The accelerations are sums of K x/m, which may cancel; so may those of a wire and gravity. A contact cancels what
+     * presses its particle on, so that each velocity then counts as the largest term of any.
+     */
     @Override
     public void terms(double[] state, double[] slope, double g, double[] size) {
         for (int i = 0; i < m; i++) {
@@ -220,9 +223,14 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             size[place(i)] = Math.abs(g * slope[place(i)]);
         }
         jacobian.multiplyAbsolute(partPositions, partForces);
+        double largest = 0;
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
             size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), Math.abs(partForces[i]) / jacobian.mass(i / 3));
+            largest = Math.max(largest, size[at]);
+        }
+        for (int i = 0; i < m && jacobian.isInContact(); i++) {
+            size[place(i) + 3] = largest;
         }
     }
 }

@@ -1,0 +1,46 @@
+package particles.rules;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.scene.ShortRun;
+
+/**
+ * A cloth that falls onto a rough ball and drapes over it to the ground, with implicit solvers at frame rate: which
+ * contacts slide, stick or end is an unknown of each step's equations.
+ */
+class DrapedClothTest {
+    private static final String CLOTH = """
+            shapes:
+              - cloth: {corner: [-1, 1.1, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 12, rows: 12,
+                        totalMass: 0.6, structural: {stiffness: 200, damping: 0.02},
+                        shear: {stiffness: 100, damping: 0.01}, bend: {stiffness: 5, damping: 0.001}}
+            effects: [gravity, drag: {coefficient: 0.0005}]
+            rules:
+              - sphere: {centre: [0, 0, 0], radius: 1, restitution: 0, friction: {law: coulomb, coefficient: 0.4}}
+              - ground: {height: -1, restitution: 0, friction: {law: coulomb, coefficient: 0.4}}
+            """;
+
+    /**
+     * Of 6.47 J of height, 4.12 J are left after 1 s by rk4 with a tenth of the step or less. Measured: implicit
+     * midpoint has 0.007 J more; backward Euler, which damps the motion, 0.061 and 0.070 J less.
+     */
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 0.01667, 0.1", "backward-euler, 0.02, 0.1", "implicit-midpoint, 0.01, 0.02"})
+    void implicitSolversDrapeACloth(String solver, double deltaT, double bound) {
+        double exact = energy(ShortRun.of("rk4 clamp 0.001 1", CLOTH));
+        ShortRun run = ShortRun.of(solver + " clamp " + deltaT + " 1", CLOTH);
+        assertEquals(exact, energy(run), bound);
+        double[] state = run.getState();
+        for (int x = 0; x < state.length; x += 6) {
+            double radius = Math.sqrt(state[x] * state[x] + state[x + 1] * state[x + 1] + state[x + 2] * state[x + 2]);
+            assertTrue(radius >= 1 - 1e-9 && state[x + 1] >= -1 - 1e-9, "particle " + x / 6);
+        }
+    }
+
+    private static double energy(ShortRun run) {
+        return run.getSystem().getEnergy(run.getState(), run.getSystem().getTime());
+    }
+}
