@@ -167,11 +167,12 @@ public final class ContactQueries {
     /**
      * How long sliding friction takes to stop a particle that is not coupled.
      *
-     * @param velocity its velocity (m/s)
-     * @param force    the total force of all effects (N)
+     * @param state the particles' state
+     * @param force the total force of all effects (N)
      * @return the time (s); infinite if it does not slow down
      */
-    public double stoppingTime(int i, Vector3 velocity, double[] state, double[] force) {
+    public double stoppingTime(int i, double[] state, double[] force) {
+        Vector3 velocity = Vector3.at(state, Particles.STRIDE * i + 3);
         double speed = velocity.length();
         if (speed == 0) {
             return Double.POSITIVE_INFINITY;

@@ -74,8 +74,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         stepEnd = system.getTime() + deltaT;
         stops.clear();
         for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
-            double time = contacts.isCoupled(i) ? deltaT
-                    : contacts.getQueries().stoppingTime(i, velocity(state, i), state, forces());
+            double time = contacts.isCoupled(i) ? deltaT : contacts.getQueries().stoppingTime(i, state, forces());
             double farther = velocity(state, i).length() * (deltaT - time) / 2;
             boolean divides = time < deltaT && farther > FAR * (1 + Vector3.at(state, STRIDE * i).norm1());
             contacts.stopAfter(i, divides ? time : deltaT);
@@ -282,7 +281,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         }
         if (first < 1) {
             crossing.begin(before, arrived, deltaT, i);
-            putOnPath(i, first, before, state);
+            crossing.put(first, before, arrived, i, state);
         }
         for (int p = 0; p < entered.length; p++) {
             if (entered[p] <= first + AT_ONCE) {
@@ -296,15 +295,5 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private double longest(double[] before, int i, double deltaT) {
         double sides = deltaT / 3 * (velocity(before, i).norm1() + velocity(arrived, i).norm1());
         return 2 * sides + Vector3.at(arrived, STRIDE * i).minus(Vector3.at(before, STRIDE * i)).norm1();
-    }
-
-    /** Puts a particle where its path has been at a fraction u of the step. */
-    private void putOnPath(int i, double u, double[] before, double[] state) {
-        double[] points = crossing.points;
-        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
-            state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
-                    + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
-            state[x + 3] = (1 - u) * before[x + 3] + u * arrived[x + 3];
-        }
     }
 }

@@ -39,6 +39,15 @@ final class FirstCrossing {
         }
     }
 
+    /** Puts a particle where it was at a fraction u of the path between two states, with a velocity between theirs. */
+    void put(double u, double[] begin, double[] end, int i, double[] state) {
+        for (int c = 0, x = Particles.STRIDE * i; c < 3; c++, x++) {
+            state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
+                    + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
+            state[x + 3] = (1 - u) * begin[x + 3] + u * end[x + 3];
+        }
+    }
+
     /** When the path first enters an obstacle whose separation is larger by an amount; NaN if it does not. */
     double into(Obstacle obstacle, double more) {
         int count = obstacle.separation(points, coefficients);
