@@ -25,9 +25,9 @@ class ExperimentOptionsTest {
     @TempDir
     Path top;
 
-    /** Which commands draw charts is known of each; where there are none, the options would do nothing. */
+    /** Where there are no charts, the options would do nothing; those of checkSolver are for its page only. */
     @Test
-    void chartsAreSlidesAndSvgOnlyWhereThereAreCharts() {
+    void chartsOfRunsAndExperimentsMayBeSlidesAndSvg() {
         Set<String> expected = Set.of("run", "lectureFigures", "energyDrift", "workPrecision", "stiffGallery",
                 "phasePlots", "stability", "effectCost", "stiffCloth", "race", "sweep", "report");
         for (ProgramCommand command : Main.commands(new StopRequest())) {

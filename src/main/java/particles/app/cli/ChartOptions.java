@@ -4,7 +4,7 @@ import java.util.List;
 import particles.output.charts.ChartFormat;
 import picocli.CommandLine.Option;
 
-/** The options of all commands that draw charts. */
+/** The options for the charts of runs and experiments. */
 public final class ChartOptions {
     private static final String SLIDE = "--slide";
     private static final String SVG = "--svg";
