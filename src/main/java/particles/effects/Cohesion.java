@@ -90,8 +90,8 @@ public final class Cohesion extends PairForce {
     }
 
     @Override
-    double shortestReach() {
-        return range;
+    public double getShortestTime(double[] state, double time) {
+        return timeThrough(range, state);
     }
 
     @Override

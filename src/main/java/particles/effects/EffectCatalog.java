@@ -13,6 +13,8 @@ public final class EffectCatalog {
             new AirDrag.LinearKeys(),
             new AirDrag.QuadraticKeys(),
             new PointAttraction.Keys(),
+            new Gravitation.Keys(),
+            new MagneticField.Keys(),
             new Push.Keys(),
             new Cohesion.Keys(),
             new Repulsion.Keys(),

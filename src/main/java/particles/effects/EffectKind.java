@@ -1,6 +1,7 @@
 package particles.effects;
 
 import java.util.List;
+import java.util.Optional;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.Values;
@@ -30,6 +31,11 @@ public abstract class EffectKind extends Kind {
     /** @return the radius with which balls are drawn unless the scene says otherwise (m); 0 if the effect has none */
     public double ballRadius(Values values) {
         return 0;
+    }
+
+    /** @return what the person who runs a scene with so many particles should know before it runs, if anything */
+    public Optional<String> remark(int particles) {
+        return Optional.empty();
     }
 
     /** @return the ids of particles and shapes that these values name */

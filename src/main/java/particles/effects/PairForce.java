@@ -1,13 +1,17 @@
 package particles.effects;
 
 import deSolvers.ForceDerivatives;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
- * Base class of central forces between near particles. With r = x_i - x_j, the force on particle i of a pair is
+ * Base class of central forces between particles. With r = x_i - x_j, the force on particle i of a pair is
  * <pre>
  *   F_i = s r,     s a function of |r|&sup2; and r . r'
  * </pre>
@@ -22,7 +26,7 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     /** The candidates for neighbours; those of a particle are in a row. */
     int[] near = {};
     private final double[] r = new double[3];
-    private final double[] w = new double[3];
+    final double[] w = new double[3];
     private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
 
@@ -50,9 +54,6 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     /** s (N/m) of a pair in reach, whose r . r' is parting. */
     abstract double perLength(int i, int j, double square, double parting);
 
-    /** The shortest distance at which two particles begin to act on each other (m). */
-    abstract double shortestReach();
-
     /** The energy that it stores (J). */
     abstract double potential(int i, int j, double square);
 
@@ -74,11 +75,10 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     }
 
     /**
-     * {@inheritDoc} From one side of a particle's reach to the other, at the speed that the velocities of all particles
-     * together allow: the diagonal of the box that holds them.
+     * From one side of the shortest reach of a particle (m) to the other, at the speed that the velocities of all
+     * particles together allow: the diagonal of the box that holds them.
      */
-    @Override
-    public final double getShortestTime(double[] state, double time) {
+    final double timeThrough(double reach, double[] state) {
         double square = 0;
         for (int c = 3; c < STRIDE; c++) {
             double least = Double.POSITIVE_INFINITY;
@@ -89,7 +89,21 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
             }
             square += particles.count() < 2 ? 0 : (most - least) * (most - least);
         }
-        return square > 0 ? 2 * shortestReach() / Math.sqrt(square) : Double.POSITIVE_INFINITY;
+        return square > 0 ? 2 * reach / Math.sqrt(square) : Double.POSITIVE_INFINITY;
+    }
+
+    /** Tells which particle, from this one on, is at the place of another, if one is; two fixed ones do not count. */
+    final Optional<String> findAtOnePlace(double[] state, int first) {
+        Map<Vector3, Integer> places = new HashMap<>();
+        for (int i = 0; i < particles.count(); i++) {
+            Vector3 place = Vector3.at(state, STRIDE * i).plus(Vector3.ZERO);       // -0 becomes 0
+            Integer other = places.put(place, i);
+            if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
+                return Optional.of("'" + particles.id(other) + "' and '" + particles.id(i)
+                        + "' are at the same place");
+            }
+        }
+        return Optional.empty();
     }
 
     @Override
@@ -187,12 +201,12 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     }
 
     /** Something to do with a pair in reach. */
-    private interface PairVisitor {
+    interface PairVisitor {
         void visit(int i, int j, double square, double parting);
     }
 
     /** Visits each pair in reach once, with r and r' in the arrays. */
-    private void forEachPair(double[] state, PairVisitor visitor) {
+    final void forEachPair(double[] state, PairVisitor visitor) {
         findNeighbours(state);
         for (int p = 0; p < particles.count(); p++) {
             int i = STRIDE * p;

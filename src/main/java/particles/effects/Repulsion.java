@@ -1,15 +1,12 @@
 package particles.effects;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import particles.law.CentralForce;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Require;
-import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NameType;
 import particles.spec.NumberType;
@@ -142,13 +139,13 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     }
 
     @Override
-    double shortestReach() {
+    public double getShortestTime(double[] state, double time) {
         fit(particles.count());
         double least = radius;
         for (int i = 0; i < particles.count(); i++) {
             least = Math.min(least, radii[i]);
         }
-        return 2 * least;
+        return timeThrough(2 * least, state);
     }
 
     @Override
@@ -201,19 +198,10 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
         lists.forget();
     }
 
-    /** {@inheritDoc} Two fixed balls do not count. */
     @Override
     public Optional<String> findUndirected(double[] state, int first) {
-        Map<Vector3, Integer> places = new HashMap<>();
-        for (int i = 0; i < particles.count(); i++) {
-            Vector3 place = Vector3.at(state, Particles.STRIDE * i).plus(Vector3.ZERO);     // -0 becomes 0
-            Integer other = places.put(place, i);
-            if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
-                return Optional.of("'" + particles.id(other) + "' and '" + particles.id(i)
-                        + "' are at the same place; soft balls there have no direction in which to push each other");
-            }
-        }
-        return Optional.empty();
+        return findAtOnePlace(state, first).map(pair -> pair + "; soft balls there have no direction in which to push"
+                + " each other");
     }
 
     /** Repulsion in scenes. */

@@ -69,6 +69,8 @@ class EffectClaimsTest {
         Map<String, Function<Particles, Effect>> laws = new TreeMap<>(Map.of(
                 "gravity", p -> new Gravity(p, new Vector3(0.3, -9.81, 0.1)),
                 "attraction", p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0),
+                "gravitation", p -> new Gravitation(p, 3, 0),
+                "softened gravitation", p -> new Gravitation(p, 3, 0.4),
                 "softened", p -> new PointAttraction(p, new Vector3(1, 0, 1), 3, 0.3)));
         Map.of("still air", Wind.STILL, "gusts", WIND, "turbulence", TURBULENCE).forEach((air, wind) -> {
             laws.put("drag in " + air, p -> AirDrag.linear(p, 0.4, wind));
@@ -99,6 +101,21 @@ class EffectClaimsTest {
         assertEquals(List.of(), broken(law));
         assertFalse(broken(p -> new Altered(law.apply(p), 1, 1.01)).isEmpty(), "a percent too much for others");
         assertFalse(broken(p -> new Altered(law.apply(p), 1, -1)).isEmpty(), "the opposite on others");
+    }
+
+    /** It stores and takes no energy, so its derivatives are all that it claims. */
+    @Test
+    void theDerivativesOfAMagneticBottleAreThoseOfItsForces() {
+        Function<Particles, Effect> bottle = p -> new MagneticField(p, 2, new Vector3(1, 2, -1),
+                new Vector3(1, 0.3, 0.8), 1.5);
+        assertEquals(List.of(), broken(bottle));
+        assertEquals(List.of(Claim.DERIVATIVE), kinds(broken(p -> new WrongDerivative(bottle.apply(p)) {
+            @Override
+            public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+                new MagneticField(p, 2, new Vector3(1, 2, -1), new Vector3(1, 0.3, 0.8), 1.501)
+                        .addForceDerivatives(state, time, derivatives);
+            }
+        })));
     }
 
     @Test

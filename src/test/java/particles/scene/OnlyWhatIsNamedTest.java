@@ -50,6 +50,8 @@ class OnlyWhatIsNamedTest {
             effects: [drag: {coefficient: 1}, vortex: {speed: 1}] | AirDrag
             effects: [push: {force: [0, 1, 0]}] | Push
             effects: [attraction: {strength: 1}] | PointAttraction
+            effects: [gravitation] | Gravitation PairForce
+            effects: [magneticField: {field: [0, 0, 1]}] | MagneticField
             effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce
             effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce
             effects: [penaltyPlane: {stiffness: 1}] | Penalty

@@ -62,6 +62,8 @@ public final class EffectCost {
             new Addition("+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"),
             new Addition("+ drag in a vortex", "effects: [drag: {coefficient: 0.01}, vortex: {speed: 1}]"),
             new Addition("+ push", "effects: [push: {force: [0, 0.01, 0]}]"),
+            new Addition("+ gravitation", "effects: [gravitation: {softening: 1}]"),
+            new Addition("+ magnetic field", "effects: [magneticField: {field: [0, 1, 0]}]"),
             new Addition("+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"),
             new Addition("+ cohesion", "effects: [cohesion: {range: 0.06, depth: 1e-9}]"),
             new Addition("+ repulsion", "effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]"),

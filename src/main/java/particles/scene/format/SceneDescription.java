@@ -2,6 +2,7 @@ package particles.scene.format;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -35,9 +36,11 @@ public record SceneDescription(Values values, ParticleIndex particles, Drawing d
         return values.get(SceneFormat.TITLE);
     }
 
-    /** @return remarks about its shapes for the person who made them, one line each */
+    /** @return remarks about its shapes and effects for the person who made them, one line each */
     public List<String> remarks() {
-        return particles.getShapes().stream().flatMap(shape -> shape.layout().remarks().stream()).toList();
+        return Stream.concat(particles.getShapes().stream().flatMap(shape -> shape.layout().remarks().stream()),
+                values.list(SceneFormat.EFFECTS).stream().flatMap(chosen -> chosen.kind().remark(particles.count())
+                .stream())).toList();
     }
 
     /** @return the solver */
