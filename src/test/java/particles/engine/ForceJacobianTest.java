@@ -147,10 +147,13 @@ class ForceJacobianTest {
         return deviation / size;
     }
 
-    /** With springs, on two planes; on a ball and in a hollow, where the normal turns. */
+    /**
+     * With springs, on two planes; on a ball and in a hollow, where the normal turns. Of contact it is taken by
+     * differences of 1e-7 of the force, so round-off is left: longer ones would cross kinks, where a contact ends.
+     */
     @ParameterizedTest
     @EnumSource(Friction.Law.class)
-    void contactIsExact(Friction.Law law) {
+    void contactIsExactToRoundOff(Friction.Law law) {
         Obstacle[][] pairs = {{Plane.ground(0), new Plane(Vector3.ZERO, new Vector3(1, 1, 0.5))},
             {new Sphere(new Vector3(0.2, -2, 0.1), 2, false), new Sphere(new Vector3(-0.3, 2.5, 0), 3, true)}};
         for (int k = 0; k < 240; k++) {
@@ -161,7 +164,7 @@ class ForceJacobianTest {
                     pairs[k / 4 % 2][0], pairs[k / 4 % 2][1]).setHolding(k / 2 % 2 == 0);
             assertTrue(system.hasExactJacobian());
             double deviation = deviation(system, random);
-            assertBelow(EXACT, deviation, "case " + k);
+            assertBelow(2e-7, deviation, "case " + k);                          // measured 2.6e-8
         }
     }
 
