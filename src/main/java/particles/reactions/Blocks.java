@@ -34,7 +34,6 @@ final class Blocks {
     private final Particles particles;
     private final Rows rows;
     private final RestingContacts contacts;
-    private final ContactModes modes;
     private final double feedback;
     private final IntPredicate usuallyHeld;
     private final LoneContacts lone;
@@ -58,7 +57,6 @@ final class Blocks {
         this.particles = system.getParticles();
         this.rows = rows;
         this.contacts = contacts;
-        this.modes = contacts.getModes();
         this.feedback = feedback;
         this.usuallyHeld = usuallyHeld;
         lone = new LoneContacts(this, contacts, particles);
