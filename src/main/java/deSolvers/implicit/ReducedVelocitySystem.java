@@ -213,8 +213,9 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     }
 
     /**
-     * The accelerations are sums of K x/m, which may cancel; so may those of a wire and gravity. A contact cancels what
-     * presses its particle on, so that each velocity then counts as the largest term of any.
+     * The accelerations are sums of K x/m, which may cancel; so may those of a wire and gravity. A contact cancels the
+     * force that presses its particle on, so each velocity is then given the largest term of all: its round-off may be
+     * that large.
      */
     @Override
     public void terms(double[] state, double[] slope, double g, double[] size) {

@@ -53,8 +53,9 @@ final class ImplicitKick {
             }
         }
         throw source.failure(-1, "the velocity at the end of the step did not converge in " + MOST_ITERATIONS
-                + " iterations", "the last change is " + change + " of " + scale + "; drag or spring damping is too"
-                + " stiff for this deltaT: take a smaller one or an implicit solver");
+                + " iterations", "the last change is " + change + " of " + scale + "; a force that depends"
+                + " on the velocity, as drag or damping, is too stiff for this deltaT: take a smaller one or an"
+                + " implicit solver");
     }
 
     /** v = v0 + h a; notes the largest change, NaN if one is. */

@@ -13,7 +13,7 @@ import deSolvers.DEStateSource;
  * acceleration at the end of a step is the one at the beginning of the next: it is remembered.
  *
  * <p><b>Order</b> 2, also with drag and damping.<br>
- * <b>Evaluations</b> 1 per step (and 1 to start with); with drag or damping some more for the iteration.<br>
+ * <b>Evaluations</b> 1 per step (and 1 to start with); some more where the acceleration depends on the velocity.<br>
  * <b>Stability</b> an undamped spring for h omega &lt; 2, a critically damped one for h omega &lt; 0.74, beyond which
  * the iteration fails. On x'' = -x from (1, 0) the energy error stays below h<sup>2</sup>/4 of the energy for ever.
  * Reversible: a step back leads to where the step began.<br>

@@ -13,7 +13,7 @@ import deSolvers.DEStateSource;
  * solved for the velocity where the acceleration depends on it.
  *
  * <p><b>Order</b> 4, also with drag and damping.<br>
- * <b>Evaluations</b> 3 per step (and 1 to start with); with drag or damping some more for the iteration.<br>
+ * <b>Evaluations</b> 3 per step (and 1 to start with); some more where the acceleration depends on the velocity.<br>
  * <b>Stability</b> an undamped spring for h omega &lt; 1.5734, a shorter step than {@code verlet} allows, at three
  * times the work; a critically damped one for h omega &lt; 0.438. Below these limits the energy error does not grow; on
  * x'' = -x from (1, 0) it is 0.076 h<sup>4</sup> of the energy for small h. Reversible.<br>

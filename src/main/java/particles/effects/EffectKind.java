@@ -33,7 +33,7 @@ public abstract class EffectKind extends Kind {
         return 0;
     }
 
-    /** @return what the person who runs a scene with so many particles should know before it runs, if anything */
+    /** @return a warning for the person who runs a scene with this number of particles, if there is one */
     public Optional<String> remark(int particles) {
         return Optional.empty();
     }

@@ -15,9 +15,9 @@ import particles.spec.Values;
  *   F_i = -G m_i m_j r / (|r|^2 + s^2)^(3/2)
  * </pre>
  * and stores -G m_i m_j / sqrt(|r|&sup2; + s&sup2;). Fixed particles attract, too. Without softening (s = 0) the force
- * is Newton's, and two particles at the same place have no direction in which to attract each other: scenes and births
- * with such particles are refused. With s &gt; 0 it falls to 0 within about s, so that particles can pass through each
- * other with reasonable steps.
+ * is Newton's, and two particles at the same place have no direction in which to attract each other: unless both are
+ * fixed, scenes and births with such particles are refused. With s &gt; 0 the force falls to 0 within about s, so that
+ * particles can pass through each other with reasonable steps.
  *
  * <p>The work grows as the square of the number of particles. Source of the softening: H. Plummer (1911), S. Aarseth
  * (1963).
@@ -26,7 +26,7 @@ public final class Gravitation extends PairForce implements DivisibleEffect, Cen
     /** Each block has this many forces on each of its particles, so few are enough. */
     private static final int PARTICLES_PER_BLOCK = 16;
 
-    /** From here on an evaluation takes about a hundredth of a second, and a scene says what it asks for. */
+    /** From this number on an evaluation takes some hundredths of a second, and a run warns. */
     private static final int MANY = 3000;
 
     private final double strength;
@@ -84,7 +84,7 @@ public final class Gravitation extends PairForce implements DivisibleEffect, Cen
 
     @Override
     boolean reaches(int i, int j, double square) {
-        return i != j;
+        return i != j && square + softeningSquare > 0;          // two fixed ones may be at one place
     }
 
     @Override
@@ -106,7 +106,7 @@ public final class Gravitation extends PairForce implements DivisibleEffect, Cen
         }
     }
 
-    /** {@inheritDoc} From a particle to the other side of another, as far away, or within its softening. */
+    /** {@inheritDoc} The time to pass a particle: twice the softened distance over the relative speed. */
     @Override
     public double getShortestTime(double[] state, double time) {
         double[] shortest = {Double.POSITIVE_INFINITY};
@@ -154,7 +154,8 @@ public final class Gravitation extends PairForce implements DivisibleEffect, Cen
         @Override
         public Optional<String> remark(int particles) {
             return particles < MANY ? Optional.empty() : Optional.of("warning: gravitation between " + particles
-                    + " particles adds " + particles * (particles - 1L) / 2 + " pairs in each evaluation");
+                    + " particles adds " + particles * (particles - 1L) / 2
+                    + " pairs to each evaluation: its time grows as the square of their number");
         }
 
         @Override

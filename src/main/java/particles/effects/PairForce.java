@@ -75,8 +75,8 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
     }
 
     /**
-     * From one side of the shortest reach of a particle (m) to the other, at the speed that the velocities of all
-     * particles together allow: the diagonal of the box that holds them.
+     * The shortest time (s) to cross a particle's reach (m), at the largest relative speed that the velocities allow:
+     * the diagonal of the box that holds them.
      */
     final double timeThrough(double reach, double[] state) {
         double square = 0;
@@ -92,7 +92,7 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
         return square > 0 ? 2 * reach / Math.sqrt(square) : Double.POSITIVE_INFINITY;
     }
 
-    /** Tells which particle, from this one on, is at the place of another, if one is; two fixed ones do not count. */
+    /** Finds a particle, from this index on, at the place of another; pairs of fixed ones do not count. */
     final Optional<String> findAtOnePlace(double[] state, int first) {
         Map<Vector3, Integer> places = new HashMap<>();
         for (int i = 0; i < particles.count(); i++) {

@@ -1,8 +1,10 @@
 package particles.effects;
 
 import deSolvers.ForceDerivatives;
+import java.util.Optional;
 import java.util.Set;
 import particles.law.BriefForce;
+import particles.law.CentralForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -24,7 +26,8 @@ import particles.spec.VectorType;
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */
-public final class PointAttraction implements PerParticleEffect, DifferentiableEffect, BriefForce {
+public final class PointAttraction implements PerParticleEffect, DifferentiableEffect, BriefForce,
+        CentralForce {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -91,6 +94,13 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         r[1] = state[x + 1] - centre.y();
         r[2] = state[x + 2] - centre.z();
         return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
+    }
+
+    @Override
+    public Optional<String> findUndirected(double[] state, int first) {
+        return particles.free().filter(i -> i >= first && findPlace(state, STRIDE * i) == 0).mapToObj(i -> "'"
+                + particles.id(i) + "' is at the point that attracts it; without softening the force there has no"
+                + " direction").findFirst();
     }
 
     /** {@inheritDoc} From a particle to the other side of the point, as far away, or within its softening. */

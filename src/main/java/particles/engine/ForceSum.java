@@ -18,12 +18,12 @@ public final class ForceSum {
     /** Particles whose state and derivative stay in the processor's nearest cache while all effects act on them. */
     private static final int CHUNK = 256;
     private final Particles particles;
-    private final ConstantForces constant;              // of the first effects, until one varies
+    private final ConstantForces constant;              // the per-particle effects before the first that varies
     private Optional<Parallel> parallel = Optional.empty();
     // arrays, since loops over lists allocate
     private Effect[] effects = {};
     private PerParticleEffect[] perParticle = {};
-    private PerParticleEffect[] varying = {};           // those from the first one on that is not constant
+    private PerParticleEffect[] varying = {};           // those from the first one that varies on
     private Effect[] others = {};
     private BriefForce[] brief = {};
     private Reaction[] reactions = {};

@@ -3,8 +3,8 @@ package particles.law;
 import java.util.Optional;
 
 /**
- * A force law that pushes particles away from a place, however near they are. At that place itself the force has no
- * direction: scenes and births that put a particle there are refused.
+ * A force law along the line to a point or to another particle, which has no direction where the two coincide: scenes
+ * and births that put a particle there are refused.
  */
 public interface CentralForce extends Effect {
 

@@ -7,7 +7,8 @@ import particles.law.Particles;
 /**
  * The contact forces of all particles that touch surfaces and are not coupled, in one loop over arrays. On one surface
  * the slides' closed form needs no system of equations: a cloth of 900 particles draped over a ball has hundreds of
- * such contacts, and a spring's force takes some nanoseconds. Particles on several surfaces are {@link Block}s.
+ * such contacts, each of which should cost about as much as a spring, some nanoseconds. Particles on several surfaces
+ * are {@link Block}s.
  */
 final class LoneContacts {
     /** In place of a surface: the particle sticks, so that the total force on it is 0. */

@@ -211,7 +211,8 @@ public final class RestingContacts implements Reaction {
      * Finds the sliding particles that the forces could stop; a loop, since each step asks.
      *
      * @param time   the length of time from now (s)
-     * @param forces the total force of all effects (N), asked for if any particle slides
+     * @param forces the total force of all effects (N), evaluated only if a particle slides with Coulomb friction
+     * @return the particles
      */
     public BitSet findStopping(double time, Supplier<double[]> forces) {
         BitSet stopping = new BitSet();

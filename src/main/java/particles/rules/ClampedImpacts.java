@@ -243,7 +243,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
                 stopAlong(surface.normal(state, i), state, i);
             }
         }
-        return leaves || isFlat && isBelow;
+        return leaves || isBelow;
     }
 
     /**

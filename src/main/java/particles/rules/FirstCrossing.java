@@ -39,7 +39,7 @@ final class FirstCrossing {
         }
     }
 
-    /** Puts a particle where it was at a fraction u of the path between two states, with a velocity between theirs. */
+    /** Puts a particle where it was at a fraction u of the path between two states; its velocity is interpolated. */
     void put(double u, double[] begin, double[] end, int i, double[] state) {
         for (int c = 0, x = Particles.STRIDE * i; c < 3; c++, x++) {
             state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])

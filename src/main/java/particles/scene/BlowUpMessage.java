@@ -72,7 +72,7 @@ public final class BlowUpMessage {
                         .orElse(end.getMessage());
     }
 
-    /** A force that is not finite at the beginning of the failed step, as at the centre of an attraction. */
+    /** A force that is not finite at the beginning of the failed step, as beside the point of an attraction. */
     private Optional<Effect> singularForce() {
         ParticleSystem system = scene.system();
         return system.getEffects().stream().filter(effect -> {

@@ -120,6 +120,19 @@ class GravitationTest {
                 }).sum());
     }
 
+    /** Two fixed ones may stand at one place: they pull others. */
+    @Test
+    void fixedBodiesAtOnePlaceAreOfTwiceTheMass() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("b", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("c", 1, new Vector3(2, 0, 0), Vector3.ZERO, false);
+        system.addEffect(new Gravitation(system.getParticles(), 6, 0));
+        double[] dSdt = new double[18];
+        system.getStateDerivative(dSdt);
+        assertEquals(-6 * 2 / 4.0, dSdt[15]);
+    }
+
     @Test
     void severalThreadsGiveTheSameBits() {
         Random random = new Random(8);

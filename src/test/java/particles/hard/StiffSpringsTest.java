@@ -120,7 +120,7 @@ class StiffSpringsTest {
     @ParameterizedTest
     @ValueSource(strings = {"verlet", "yoshida4"})
     void stiffDampingIsRefusedByLeapfrogs(String solver) {
-        assertFailsBefore(H, "drag or spring damping is too stiff for this deltaT",
+        assertFailsBefore(H, "as drag or damping, is too stiff for this deltaT",
                 blowUp(weight(1, 100, 1e6), solver));
     }
 

@@ -62,6 +62,23 @@ class AtOnePlaceTest {
                 + " have no direction"), refusal(soft(a, b)));
     }
 
+    /** Without softening. */
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {
+            "gravitation: {}; 'a' and 'b' are at the same place; without softening",
+            "attraction: {strength: 1}; 'a' is at the point that attracts it; without softening",
+            "gravitation: {softening: 0.1}; ",
+            "attraction: {strength: 1, softening: 0.1}; ",
+    })
+    void whatAttractsNeedsADirection(String effect, String refusal) {
+        String text = scene("rk4", "position: [0, 0, 0]", "position: [0, 0, 0]", "effects: [" + effect + "]\n");
+        if (refusal == null) {
+            assertDoesNotThrow(() -> TestScenes.build(text));
+        } else {
+            assertTrue(refusal(text).contains("x.yaml:9:11: " + refusal), refusal(text));
+        }
+    }
+
     @Test
     void fixedOnesAndOnesAnywhereElseAreNot() {
         assertDoesNotThrow(() -> TestScenes.build(soft("position: [0, 0, 0], fixed: true",

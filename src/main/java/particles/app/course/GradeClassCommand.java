@@ -117,8 +117,8 @@ public final class GradeClassCommand extends ResultsCommand {
     }
 
     /**
-     * Reads all hand-ins of this part, and only then marks them, one on each core. Of the same hand-in that was marked
-     * before, the result is kept.
+     * Reads all hand-ins of this part, and only then marks them, one on each core. A hand-in that has not changed since
+     * it was marked keeps its result.
      */
     private Collection<Result> marked(ClassList list, Assignment assignment, PrintWriter out) throws IOException {
         Function<String, Optional<String>> numbers = course.numbersOf(assignment);

@@ -56,7 +56,7 @@ record Marking(Assignment assignment, Optional<String> numbers, Submission handI
     /**
      * Marks the hand-in.
      *
-     * @param student the student's id; of a hand-in that is nobody's there are no marks, and none of a damaged one
+     * @param student the student's id; empty if nobody's. Then, and for a damaged hand-in, there are no marks
      */
     Result result(Optional<String> student) {
         State state = student.isEmpty() ? State.WHOSE : !handIn.damaged().isEmpty() ? State.UNREADABLE

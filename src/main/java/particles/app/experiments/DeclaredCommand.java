@@ -30,8 +30,8 @@ public final class DeclaredCommand extends ExperimentCommand {
             "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default: ${DEFAULT-VALUE}).")
     boolean equalWork;
 
-    @Option(names = "--frames", paramLabel = "NUMBER", description =
-            "Frames of the animation, which shows 20 a second (default: 20 for a second of the scene, from 40 to 300).")
+    @Option(names = "--frames", paramLabel = "NUMBER", description = "Frames of the animation, which shows 20 per"
+            + " second (default: 20 per second of the scene, 40 to 300).")
     Optional<Integer> frames = Optional.empty();
 
     @Option(names = "--problem", paramLabel = "NAMES", description = "Problems, separated by commas:"

@@ -122,7 +122,7 @@ final class Experiments {
             Panel panel = EffectCost.panel(costs);
             return asked.page(panel.title(), List.of("A scene pays for what it names and for nothing else: this is a"
                     + " cloth of " + asked.columns + " x " + asked.columns + " particles, rk4, with one thing more"
-                    + " at a time. Each time is that of the fastest of " + asked.rounds + " rounds."),
+                    + " at a time. Each time is from the fastest of " + asked.rounds + " rounds."),
                     List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone, on a logarithmic"
                             + " axis.", panel)), List.of(EffectCost.table(costs)));
         };

@@ -64,9 +64,9 @@ final class RaceExperiment {
     }
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
-        String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
+        String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which needs most,")
                 .orElse("rk4 at the scene's step");
-        return asked.page(RaceCharts.title(race), List.of("Equal work: each solver gets as many evaluations of the"
+        return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
                 + " derivative as " + pace + " needs, to within one step or 1 %. The grey ghost is the reference, "
                 + Race.REFERENCE + "; a solver that fails, or goes far from where it ever is, leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),

@@ -135,7 +135,7 @@ public final class ReportCommand extends ResultsCommand {
         return experiment.getCommandSpec().findOption(option) != null;
     }
 
-    /** A scene's report leaves that of the course alone. */
+    /** The report on a scene goes to a folder of its own. */
     @Override
     protected String folderName() {
         return scene == null ? name() : name() + "-" + scene.replaceFirst("(?s).*[/\\\\]", "")

@@ -19,23 +19,26 @@ import picocli.CommandLine.Option;
         description = "Lists the exercises, shows one with numbers of your own, or marks your answer.")
 public final class ExerciseCommand extends ProgramCommand {
     @Option(names = "--number", paramLabel = "NUMBER", description = "Which exercise (default: a list of all).")
-    private Optional<Integer> number;
+    private Optional<Integer> number = Optional.empty();
 
     @Option(names = "--student", paramLabel = "ID", defaultValue = "",
-            description = "Your id, from which your numbers come.")
+            description = "Your id, from which your numbers come; needed with --number.")
     private String student;
 
     @Option(names = "--answer", paramLabel = "ANSWER",
             description = "Your answer: a number, or a scene's file in the last exercise.")
-    private Optional<String> answer;
+    private Optional<String> answer = Optional.empty();
 
     @Override
     public void run(PrintWriter out) {
-        int chosen = number.orElse(0);
-        if (number.isEmpty() && answer.isEmpty()) {
+        if (number.isEmpty()) {
+            if (answer.isPresent()) {
+                throw new InvalidInputException("option --answer: needs --number");
+            }
             Exercises.ALL.forEach(each -> out.printf("%2d  %s%n", Exercises.ALL.indexOf(each) + 1, each.title()));
             return;
         }
+        int chosen = number.get();
         requireWithin("number", chosen, 1, Exercises.ALL.size());
         Exercise exercise = Exercises.ALL.get(chosen - 1);
         Draw draw = made("student", () -> new Draw(student, chosen));

@@ -21,7 +21,7 @@ public final class StabilityMap {
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
-    /** So many stripes, or more, fill the upper half of a chart: two for the width of one, so that no gap shows. */
+    /** At least this many stripes fill the upper half of a chart, twice as many as their width needs. */
     private static final int STRIPES = 100;
 
     private final DoubleBinaryOperator modulus;

@@ -66,7 +66,7 @@ public final class Agreement {
         return source;
     }
 
-    /** The largest distance of a step like these; infinite as soon as one is another. */
+    /** The largest distance between this step and the solver's; infinite if one is off by more than float round-off. */
     private double distance(Scheme kind, Step step) {
         double largest = 0;
         for (Made one : kind.particles() ? made.subList(0, 2 * LENGTHS.size()) : made) {
@@ -99,7 +99,7 @@ public final class Agreement {
 
     /**
      * @param methods the methods in which it may be
-     * @param read    the weights of the solver, which has as many evaluations if one of them is another
+     * @param read    the solver's weights, if they could be read
      * @return the typical mistake that makes the solver's steps
      */
     public Optional<Cause> mistake(Stream<Method> methods, Optional<Scheme> read) {

@@ -20,7 +20,7 @@ final class Changes {
         return IntStream.rangeClosed(0, s.size()).boxed().flatMap(r -> others.apply(r).map(row -> s.with(r, row)));
     }
 
-    /** @return the scheme in which the rows after the first one, up to before another one, are others */
+    /** @return the scheme with the rows 1 to to - 1 replaced */
     static Scheme rows(Scheme s, int to, BiFunction<Scheme, Integer, double[]> others) {
         Scheme changed = s;
         for (int r = 1; r < to; r++) {

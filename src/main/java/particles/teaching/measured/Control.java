@@ -31,16 +31,16 @@ public record Control(Supplier<DESolver> maker) {
         return source;
     }
 
-    /** @return whether a longer step has many more parts */
+    /** @return whether a longer step has more parts */
     public boolean makesSubSteps() {
         return none().isEmpty();
     }
 
-    /** @return the mistake of a method with step-size control whose longer steps do not have many more parts */
+    /** @return the mistake of a method with step-size control whose longer steps do not have more parts */
     public Optional<Finding> none() {
         int parts = after(1, LONG).times();
         int few = after(1, LONG / STEPS).times();
-        return Phrase.NO_CONTROL.when(parts <= STEPS / 2 * few, parts, few);
+        return Phrase.NO_CONTROL.when(parts < 2 * few, parts, few);
     }
 
     /** @return the mistake of sub-steps with which one long step is far less accurate than several short ones */

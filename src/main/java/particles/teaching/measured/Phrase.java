@@ -42,12 +42,12 @@ public enum Phrase {
             + " and the velocity %s a deltaT; with %s they are %s and %s"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
     NOT_THE_METHOD(Kind.NAME, "its step is not that of %s: it is off by %s after a step of %s s"),
-    EXPLICIT(Kind.NAME, "it is explicit, with %s evaluations in a step: nothing is solved, as in %s"),
+    EXPLICIT(Kind.NAME, "it is explicit (evaluations per step: %s): nothing is solved, as in %s"),
     EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or"
             + " another one is"),
     NOTHING_EARLIER(Kind.NAME, "%s uses earlier steps; each step of this solver is the one that a new solver makes"),
-    NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, the clock is at %s times in a"
-            + " step of 4 s and at %s in one of 1/4 s: there is no step-size control"),
+    NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, a step of 4 s moves the clock"
+            + " to %s times and one of 1/4 s to %s: long steps are not divided, so there is no step-size control"),
     // measured
     NO_CONVERGENCE(Kind.METHOD, "the error does not go to 0 with deltaT%s: it is still %s with deltaT = %s s"),
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),

@@ -18,7 +18,7 @@ public final class Units {
     private Units() {
     }
 
-    /** A falling particle on a spring with drag, in a unit of time of so many parts of a second. */
+    /** A falling particle on a spring with drag, in a unit of time of 1/parts s. */
     private static final class Spring extends StudentSource implements SecondOrderSource {
         private final double parts;
 
