@@ -25,6 +25,8 @@ import particles.view.Series;
  */
 public final class EnergyHistory extends StridedRecorder {
     private static final int BUCKETS = 1024;
+    /** Below this part of the estimated energy nothing moves by 1e-12 of what was expected. */
+    private static final double NOTHING = 1e-24;
     /** Energies below this part of weight times height are the rounding of a scene at rest. */
     private static final double AT_REST = 1e-12;
 
@@ -172,10 +174,16 @@ public final class EnergyHistory extends StridedRecorder {
 
     /**
      * @param estimate the scene's estimated energy (J)
-     * @return the energy scale; the estimate if that is 0
+     * @return the energy scale; the estimate if that is 0, or round-off of a scene at rest
      */
     public double getScaleOr(double estimate) {
-        return getScale() > 0 ? getScale() : estimate;
+        return scaleOf(largestInternal, estimate);
+    }
+
+    /** The energy scale of a run with this as its largest kinetic plus stored energy, or the estimate (J). */
+    double scaleOf(double mostInternal, double estimate) {
+        double scale = scaleOf(mostInternal);
+        return scale > NOTHING * estimate ? scale : estimate;
     }
 
     /** The latest kinetic plus stored energy (J). */

@@ -30,6 +30,7 @@ public final class NumericalErrorLimit implements Observer {
 
     private final EnergyHistory energy;
     private final EnergyLedgerRecorder books;
+    private final double estimate;
     private final double rounding;
     private double explained;
     private double mostInternal = Double.NEGATIVE_INFINITY;     // kinetic plus stored, without the error
@@ -45,6 +46,7 @@ public final class NumericalErrorLimit implements Observer {
     public NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, double energyScale) {
         this.energy = energy;
         this.books = books;
+        estimate = energyScale;
         rounding = AT_REST * energyScale;
     }
 
@@ -65,7 +67,7 @@ public final class NumericalErrorLimit implements Observer {
 
     /** The energy scale of what was given to the system: without the energy that is numerical error (J). */
     double getScale() {
-        return energy.scaleOf(mostInternal);
+        return energy.scaleOf(mostInternal, estimate);
     }
 
     @Override

@@ -49,6 +49,25 @@ class EnergyScaleTest {
         assertEquals(1e-4, energy.getScale(), firstOrder ? 0.5e-4 : 1e-6);
     }
 
+    /**
+     * A spring whose length is right to round-off stores 1e-33 J, and an adaptive solver's tolerance moves it by 1e-9
+     * m/s: the scale is the energy of crossing the scene, m (L/T)^2/2 for each.
+     */
+    @ParameterizedTest
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
+    void aSpringAtRestToRoundOffIsAtRest(String solver) {
+        Scene scene = run(solver, 0.4, 2, """
+                particles:
+                  - {id: a, position: [0, 0, 0]}
+                  - {id: b, position: [0, 0.01, 0.11]}
+                springs: [{from: a, to: b, stiffness: 4.07, restLength: 0.11045361017187262, damping: 0.0126}]
+                """);
+        double crossing = 0.11 * 0.11 / 4;
+        assertEquals(crossing, scene.energyEstimate(), 1e-15);
+        assertEquals(crossing, energy.getScaleOr(scene.energyEstimate()), 1e-15);
+        assertTrue(Math.abs(ledger.getLatestNumericalError()) < 1e-16);                  // measured 3e-22
+    }
+
     /** At the distance of balance nothing moves: the scale is the energy that holds the two together. */
     @ParameterizedTest
     @MethodSource("deSolvers.catalog.SolverCatalog#names")

@@ -21,14 +21,17 @@ import particles.law.Vector3;
  * <li>the energy that uniform forces, and laws without a declared energy, as a student's own may be, can supply: the
  *     sum of F&sup2; T&sup2;/(2 m), with F the force at the start.</li>
  * </ul>
- * If all four are 0, nothing in the scene causes motion. The estimate is then the kinetic energy with which every
- * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
- * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
+ * If all four are 0, or round-off, nothing in the scene causes motion. The estimate is then the kinetic energy with
+ * which every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent,
+ * or 1 m if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  *
  * @param system   the system at its start
  * @param duration the duration of the run (s), over 0
  */
 record EnergyEstimate(ParticleSystem system, double duration) {
+    /** A smaller part of the energy of crossing the scene moves nothing by 1e-12 of the scene's extent: round-off. */
+    private static final double ROUND_OFF = 1e-24;
+
     /**
      * @param g      the sum of the accelerations of uniform fields (m/s&sup2;)
      * @param speed  the largest speed of wind, emitters and moving anchors (m/s)
@@ -60,7 +63,8 @@ record EnergyEstimate(ParticleSystem system, double duration) {
             return f.dot(f) * duration * duration / 2 * particles.getInverseMasses()[i];
         });
         double scale = Math.max(Math.max(atStart, byOwnLaws), Math.max(byGravity, byWind));
-        return scale > 0 ? scale : crossing(mass);
+        double crossing = crossing(mass);
+        return scale > ROUND_OFF * crossing ? scale : crossing;
     }
 
     private double crossing(double mass) {

@@ -28,7 +28,6 @@ import particles.teaching.solvers.Kinds.Kind;
 
 /** The check of solvers: no right one is accused, and each kind of wrong ones gets its verdict. */
 class SolverCheckTest {
-    private static final double H = 0.1;
     /** Where the sentence of a mistake stands. */
     private static final Set<Phrase> NAMED = EnumSet.of(Phrase.DIFFERS, Phrase.STEP);
 
