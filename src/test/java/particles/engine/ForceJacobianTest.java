@@ -35,8 +35,6 @@ import particles.reactions.RestingContacts;
 /** The force derivatives of a particle system against central differences, on random systems. */
 class ForceJacobianTest {
     private static final int N = 8;
-    /** Bound for the error of the differences: measured at most 1.6e-11 of the largest entry. */
-    private static final double EXACT = 1e-10;
 
     /** Random particles in a cube of 2 m, moving at up to 3 m/s, the first one fixed. */
     private static ParticleSystem particles(Random random) {
