@@ -33,7 +33,7 @@ public final class ExerciseCommand extends ProgramCommand {
     public void run(PrintWriter out) {
         if (number.isEmpty()) {
             if (answer.isPresent()) {
-                throw new InvalidInputException("option --answer: needs --number");
+                throw wrong("answer", "goes with " + getStyle().option("number") + " only");
             }
             Exercises.ALL.forEach(each -> out.printf("%2d  %s%n", Exercises.ALL.indexOf(each) + 1, each.title()));
             return;

@@ -123,7 +123,8 @@ class GradeCommandTest {
             assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--number=" + none, "--student=a"),
                     "option -Pnumber: " + none + " has to be from 1 to 12");
         }
-        assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--answer=1", "--student=a"), "option -Pnumber: ");
+        assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--answer=1", "--student=a"),
+                "option -Panswer: goes with -Pnumber only");
         assertEquals("option -Pstudent: a student's id has to have something in it", run(ExitCode.BAD_INPUT, "exercise",
                 "--number=1", "--student= ").strip());
         assertEquals("option -Pstudent: the id is empty", run(ExitCode.BAD_INPUT, "grade", "--student= ").strip());
