@@ -1,8 +1,8 @@
 package hunts;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Family;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;

@@ -132,8 +132,7 @@ public final class MagneticField implements PerParticleEffect, DifferentiableEff
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
-            super("magneticField", "Turns moving charges: F = q v x B.", FIELD, CHARGE, CENTRE,
-                    LENGTH);
+            super("magneticField", "Turns moving charges: F = q v x B.", FIELD, CHARGE, CENTRE, LENGTH);
         }
 
         @Override

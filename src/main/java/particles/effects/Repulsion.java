@@ -200,8 +200,8 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
 
     @Override
     public Optional<String> findUndirected(double[] state, int first) {
-        return findAtOnePlace(state, first).map(pair -> pair + "; soft balls there have no direction in which to push"
-                + " each other");
+        return findAtOnePlace(state, first).map(pair -> pair
+                + "; soft balls there have no direction in which to push each other");
     }
 
     /** Repulsion in scenes. */

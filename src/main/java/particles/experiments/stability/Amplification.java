@@ -2,8 +2,8 @@ package particles.experiments.stability;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;

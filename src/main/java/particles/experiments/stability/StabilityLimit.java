@@ -1,8 +1,8 @@
 package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.text.Digits;
 import java.util.List;
 import java.util.function.DoublePredicate;

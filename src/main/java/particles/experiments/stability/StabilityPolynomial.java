@@ -1,7 +1,7 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Family;
 import org.hipparchus.complex.Complex;
 
 /**

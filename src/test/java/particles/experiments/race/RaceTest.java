@@ -20,9 +20,9 @@ import particles.experiments.runs.SolverChoice;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 import particles.view.Chart;
+import particles.view.DataTable;
 import particles.view.Series;
 import particles.view.Series.Mark;
-import particles.view.DataTable;
 
 class RaceTest {
     private static final SceneDescription SPIRAL = TestScenes.named("11-euler-spiral");

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.catalog.SolverInfo.Family;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -44,10 +44,10 @@ import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.Look;
-import particles.view.Series;
-import particles.view.Series.Mark;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
+import particles.view.Series;
+import particles.view.Series.Mark;
 
 class RaceFilmTest {
     private static final Look RK4 = Look.of(SolverCatalog.info("rk4"));
