@@ -130,7 +130,7 @@ class GravitationTest {
         system.addEffect(new Gravitation(system.getParticles(), 6, 0));
         double[] dSdt = new double[18];
         system.getStateDerivative(dSdt);
-        assertEquals(-6 * 2 / 4.0, dSdt[15]);
+        assertArrayEquals(new double[] {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -6 * 2 / 4.0, 0, 0}, dSdt);
     }
 
     @Test
