@@ -181,8 +181,11 @@ final class Browser implements AutoCloseable {
         awaitFirstScene();
     }
 
+    /** Loads the page again; the driver may go on before the old page has gone. */
     void reload() {
+        script("window.old = true;");
         driver.navigate().refresh();
+        await("new page", () -> (Boolean) script("return !window.old;"));
         awaitFirstScene();
     }
 
@@ -203,7 +206,8 @@ final class Browser implements AutoCloseable {
         while (!condition.holds()) {
             if (System.nanoTime() > end) {
                 throw new AssertionError("still no " + what + " after " + PATIENCE.toSeconds() + " s; the page says: "
-                        + text("message") + text("errors"));
+                        + text("message") + text("errors") + "; it shows "
+                        + script("return [window.lab?.view.facts?.title, document.body.className, location.hash]"));
             }
             sleep(PAUSE);
         }

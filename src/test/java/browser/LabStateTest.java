@@ -163,9 +163,9 @@ class LabStateTest extends LabPageTestCase {
         page.choose("slides", "10");
         until("caption().startsWith('euler') && value('solver') === 'midpoint'");
         page.click("step");
-        until("location.hash.length > 10 && text('steps') === '1'");
+        until("text('steps') === '1'");
         page.screenshot("lecture");
-        String link = page.driver().getCurrentUrl();
+        Object link = page.later("window.lab.address.write().then(arguments[0]);");
         page.reload();
         until("value('slides') === '10' && caption().startsWith('euler')");
         press("l");
