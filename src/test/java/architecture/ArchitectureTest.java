@@ -81,7 +81,8 @@ class ArchitectureTest {
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.solvers particles.view
                                            javax.tools picocli
-            particles.effects:             deSolvers particles.law particles.spec
+            particles.effects:             deSolvers particles.effects.springs particles.law particles.spec
+                                           particles.spec.messages
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view
             particles.engine:              deSolvers particles.law

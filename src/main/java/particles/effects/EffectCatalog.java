@@ -16,6 +16,7 @@ public final class EffectCatalog {
             new Gravitation.Keys(),
             new MagneticField.Keys(),
             new Push.Keys(),
+            new Muscles.Keys(),
             new Cohesion.Keys(),
             new Repulsion.Keys(),
             new Penalty.PlaneKeys(),

@@ -1,6 +1,8 @@
 package particles.effects;
 
 import java.util.Optional;
+import java.util.stream.IntStream;
+import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Particles;
@@ -16,6 +18,20 @@ public interface EffectContext {
     default Optional<Double> ownRadius(int particle) {
         return Optional.empty();
     }
+
+    /** @return where a particle is at the start (m) */
+    Vector3 position(int particle);
+
+    /** @return all springs */
+    SpringForce springs();
+
+    /**
+     * @param shape  the id of a shape
+     * @param family the name of a family of its springs, such as {@code structural}
+     * @param part   a part of the shape, such as {@code top}, in which both ends have to be
+     * @return the indices of its springs
+     */
+    IntStream springs(String shape, String family, Optional<String> part);
 
     /** @return the wind, {@link Wind#STILL} unless the scene has one */
     Wind wind();

@@ -5,11 +5,14 @@ import particles.law.Vector3;
 import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.NumberType;
+import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
 /** Scene keys that several effects and rules have in common. */
 public final class SharedKeys {
+    /** Names a particle. */
+    public static final TextType PARTICLE = TextType.of("the id of a particle, such as bob or cloth[3,4]", "\\S");
     /** For 'repulsion' and 'collisions'. */
     public static final Key<Double> BALL_RADIUS = NumberType.positive("m").required("radius",
             "The radius of every ball without a radius of its own (m).");

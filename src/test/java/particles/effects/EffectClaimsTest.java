@@ -44,6 +44,14 @@ class EffectClaimsTest {
         return springs;
     }
 
+    private static Muscles muscles(Particles particles) {
+        Muscles muscles = new Muscles(springs(particles, 0.8), 1.3, 0);
+        for (int s = 0; s < 15; s += 2) {
+            muscles.add(s, 0.3 + 0.02 * s, 0.1 * s);
+        }
+        return muscles;
+    }
+
     private static List<Claim> kinds(List<Broken> broken) {
         return broken.stream().map(Broken::claim).distinct().toList();
     }
@@ -76,6 +84,7 @@ class EffectClaimsTest {
             laws.put("drag in " + air, p -> AirDrag.linear(p, 0.4, wind));
             laws.put("quadratic drag in " + air, p -> AirDrag.quadratic(p, 0.4, wind));
         });
+        laws.put("muscles", EffectClaimsTest::muscles);
         // with a plane through the middle of the particles, some are inside it in every state
         for (double c : new double[] {0, 0.8, 5}) {
             laws.put("springs " + c, p -> springs(p, c));

@@ -49,6 +49,7 @@ class OnlyWhatIsNamedTest {
             effects: [quadraticDrag: {coefficient: 1}, turbulence: {strength: 1}] | AirDrag
             effects: [drag: {coefficient: 1}, vortex: {speed: 1}] | AirDrag
             effects: [push: {force: [0, 1, 0]}] | Push
+            effects: [muscles: {amplitude: 0.1, period: 1}] | Muscles
             effects: [attraction: {strength: 1}] | PointAttraction
             effects: [gravitation] | Gravitation PairForce
             effects: [magneticField: {field: [0, 0, 1]}] | MagneticField

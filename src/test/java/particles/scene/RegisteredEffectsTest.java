@@ -36,9 +36,9 @@ class RegisteredEffectsTest {
         assertEquals(Map.of("wind", "drag", "turbulence", "drag", "vortex", "drag", "damped-springs", "springs")
                 .getOrDefault(name, name), effect.getName());
         assertTrue(effect instanceof DifferentiableEffect, "it knows its derivatives");
-        assertEquals(List.of("wind", "turbulence", "vortex").contains(name),
+        assertEquals(List.of("wind", "turbulence", "vortex", "muscles").contains(name),
                 effect.getTraits().contains(Effect.Trait.DRIVING),
-                "only what blows drives");
+                "only what blows or lives drives");
         assertEquals(List.of(), EffectCheck.check(particles -> EffectSample.create(name, particles,
                 ClassNames.none())));
     }

@@ -1,6 +1,9 @@
 package particles.effects.springs;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
@@ -29,6 +32,7 @@ class SpringTable implements SpringView {
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
+    private final List<Consumer<int[]>> followers = new ArrayList<>(0);
     // how many particles begin springs, in the order of the table
     private int owners;
     private boolean arranged;
@@ -176,6 +180,17 @@ class SpringTable implements SpringView {
         restLength = permuted(restLength, order);
         damping = permuted(damping, order);
         count = order.length;
+        followers.forEach(follower -> follower.accept(order));
+    }
+
+    /**
+     * For laws that keep indices of springs.
+     *
+     * @param follower receives, whenever springs are sorted or removed, the old index of each that is left, by its new
+     *                 one
+     */
+    public final void onReorder(Consumer<int[]> follower) {
+        followers.add(follower);
     }
 
     /** @return the number of springs */

@@ -62,6 +62,7 @@ public final class EffectCost {
             new Addition("+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"),
             new Addition("+ drag in a vortex", "effects: [drag: {coefficient: 0.01}, vortex: {speed: 1}]"),
             new Addition("+ push", "effects: [push: {force: [0, 0.01, 0]}]"),
+            new Addition("+ muscles", "effects: [muscles: {amplitude: 1e-3, period: 1, wavelength: 0.5}]"),
             new Addition("+ gravitation", "effects: [gravitation: {softening: 1}]"),
             new Addition("+ magnetic field", "effects: [magneticField: {field: [0, 1, 0]}]"),
             new Addition("+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"),

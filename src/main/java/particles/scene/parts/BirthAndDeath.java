@@ -20,7 +20,7 @@ final class BirthAndDeath {
             "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest length.");
 
     static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.",
-            (values, assembly) -> assembly.add(new SpringTear(assembly.getSprings(), values.get(STRAIN))), STRAIN);
+            (values, assembly) -> assembly.add(new SpringTear(assembly.springs(), values.get(STRAIN))), STRAIN);
 
     static final Key<String> ID = ParticleDescription.NEW_ID.required("id",
             "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from the"
@@ -76,7 +76,7 @@ final class BirthAndDeath {
 
     static final RuleKind SAMPLES = new RuleKind("samples",
             "Merges and splits particles to keep them evenly spaced.",
-            (values, assembly) -> assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.getSprings(),
+            (values, assembly) -> assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(),
                     values.get(FARTHEST) * values.get(CLOSEST), values.get(FARTHEST), values.get(LIGHTEST),
                     values.get(SharedKeys.SEED))),
             FARTHEST, CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED);

@@ -1,9 +1,11 @@
 package particles.scene.parts;
 
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.law.Vector3;
 
 /** Finds particles by id. Single particles come first in the state, then those of the shapes in order. */
@@ -43,6 +45,27 @@ public final class ParticleIndex {
     /** @return the shapes */
     public List<ShapeDescription> getShapes() {
         return shapes;
+    }
+
+    /** @return the numbers of a shape's springs of one sort, all or within a part; those of shapes come first */
+    IntStream springs(String id, String sort, Optional<String> part) {
+        IntStream.Builder found = IntStream.builder();
+        int[] next = {0};
+        for (ShapeDescription shape : shapes) {
+            BitSet within = new BitSet();
+            part.map(shape.layout()::numbers).orElseGet(() -> IntStream.range(0, (int) shape.layout().size()))
+                    .forEach(within::set);
+            for (SpringFamily family : shape.springs()) {
+                boolean named = shape.layout().id().equals(id) && family.sort().key().name().equals(sort);
+                shape.layout().forEachPair(family.sort(), (from, to) -> {
+                    int spring = next[0]++;
+                    if (named && within.get(from) && within.get(to)) {
+                        found.add(spring);
+                    }
+                });
+            }
+        }
+        return found.build();
     }
 
     /** @return the number of particles, those of shapes included */

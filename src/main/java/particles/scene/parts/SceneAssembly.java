@@ -3,6 +3,7 @@ package particles.scene.parts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.EffectContext;
@@ -46,8 +47,19 @@ public final class SceneAssembly implements EffectContext {
         this.index = index;
     }
 
-    SpringForce getSprings() {
+    @Override
+    public SpringForce springs() {
         return springs;
+    }
+
+    @Override
+    public IntStream springs(String shape, String family, Optional<String> part) {
+        return index.springs(shape, family, part);
+    }
+
+    @Override
+    public Vector3 position(int particle) {
+        return Vector3.at(system.getOwnState(), Particles.STRIDE * particle);
     }
 
     /** @return the initial position of the particle with this known id (m) */

@@ -7,6 +7,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
@@ -110,15 +111,33 @@ public final class EffectSample {
     private static final class Sample implements EffectContext {
         private final Particles particles;
         private final List<Effect> effects = new ArrayList<>();
+        private final SpringForce springs;
         private Wind wind = Wind.STILL;
 
         Sample(Particles particles) {
             this.particles = particles;
+            springs = EffectSample.springs(particles, 0);
         }
 
         @Override
         public Particles particles() {
             return particles;
+        }
+
+        /** In a row. */
+        @Override
+        public Vector3 position(int particle) {
+            return new Vector3(particle, 0, 0);
+        }
+
+        @Override
+        public SpringForce springs() {
+            return springs;
+        }
+
+        @Override
+        public IntStream springs(String shape, String family, Optional<String> part) {
+            return IntStream.empty();
         }
 
         @Override

@@ -83,10 +83,6 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
         return Math.max(1e-300, Arrays.stream(force).map(Math::abs).max().orElse(0));
     }
 
-    double energy(double[] at) {
-        return effect.getPotentialEnergy(at, time);
-    }
-
     double heat(double[] at) {
         return effect.getDissipatedPower(at, time);
     }
@@ -108,7 +104,7 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
         return changed(EffectTrial::isVelocity, v -> factor * v);
     }
 
-    /** @return the rate at which the potential energy grows in the state's own motion (W) */
+    /** @return the rate at which the potential energy grows in time and the state's own motion (W) */
     double stored(double[] at) {
         double[] ahead = at.clone();
         double[] behind = at.clone();
@@ -116,7 +112,8 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
             ahead[k - 3] += STEP * at[k];
             behind[k - 3] -= STEP * at[k];
         });
-        return (energy(ahead) - energy(behind)) / (2 * STEP);
+        return (effect.getPotentialEnergy(ahead, time + STEP) - effect.getPotentialEnergy(behind, time - STEP))
+                / (2 * STEP);
     }
 
     /** @return the power that the law accounts for: what it stores and dissipates less, and drives more (W) */

@@ -91,7 +91,7 @@ class CheckEffectCommandTest {
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertHas(here(ExitCode.BAD_INPUT, "gravty", folder), """
                 no effect is called 'gravty'; did you mean 'gravity'? known effects: attraction, cohesion, \
-                damped-springs, drag, gravitation, gravity, magneticField, penaltyPlane, penaltySphere, push, \
+                damped-springs, drag, gravitation, gravity, magneticField, muscles, penaltyPlane, penaltySphere, push, \
                 quadraticDrag, repulsion, springs, turbulence, vortex, wind""");
         assertHas(here(ExitCode.BAD_INPUT, "MyGravity", folder), """
                 there is no class exercises.MyGravity with a 'public static final class Keys extends EffectKind' in \

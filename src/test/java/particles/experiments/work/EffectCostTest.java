@@ -31,16 +31,16 @@ class EffectCostTest {
         List<String> told = new ArrayList<>();
         List<Cost> costs = EffectCost.measure(3, 2, 2, () -> now[0] += 100L * (call[0]++ / 2 + 1),
                 (part, what) -> told.add(what));
-        assertEquals(20, costs.size());
-        assertEquals(40, told.size());
-        for (int k = 0; k < 20; k++) {
+        assertEquals(21, costs.size());
+        assertEquals(42, told.size());
+        for (int k = 0; k < 21; k++) {
             assertEquals(100e-9 * (k + 1) / 2, costs.get(k).seconds(), 1e-21);             // measured 1.1e-22
             assertEquals(k + 1, costs.get(k).overBase(), 2e-14);                      // measured 3.6e-15
             assertEquals(costs.get(k).name(), told.get(k));
         }
         Chart chart = EffectCost.panel(costs).charts().get(0);
         assertEquals(7, chart.rows().size(), "the six dearest, and all others together");
-        assertEquals(20, EffectCost.table(costs).rows().size());
+        assertEquals(21, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(0).get(2));
     }
 
