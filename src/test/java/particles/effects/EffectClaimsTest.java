@@ -44,8 +44,8 @@ class EffectClaimsTest {
         return springs;
     }
 
-    private static Muscles muscles(Particles particles) {
-        Muscles muscles = new Muscles(springs(particles, 0.8), 1.3, 0);
+    private static Muscles muscles(Particles particles, double rise) {
+        Muscles muscles = new Muscles(springs(particles, 0.8), 1.3, rise);
         for (int s = 0; s < 15; s += 2) {
             muscles.add(s, 0.3 + 0.02 * s, 0.1 * s);
         }
@@ -84,7 +84,8 @@ class EffectClaimsTest {
             laws.put("drag in " + air, p -> AirDrag.linear(p, 0.4, wind));
             laws.put("quadratic drag in " + air, p -> AirDrag.quadratic(p, 0.4, wind));
         });
-        laws.put("muscles", EffectClaimsTest::muscles);
+        laws.put("muscles", p -> muscles(p, 0));
+        laws.put("muscles whose amplitude rises", p -> muscles(p, 3));
         // with a plane through the middle of the particles, some are inside it in every state
         for (double c : new double[] {0, 0.8, 5}) {
             laws.put("springs " + c, p -> springs(p, c));

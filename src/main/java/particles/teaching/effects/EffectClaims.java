@@ -48,7 +48,8 @@ public record EffectClaims(EffectTrial trial, double[] force, List<Broken> broke
         List<Broken> broken = new ArrayList<>();
         Random random = new Random(seed);
         for (int j = 0; j < TRIALS; j++) {
-            EffectTrial trial = EffectTrial.random(system, effect, random, 3 * random.nextDouble());
+            // later than 0, where a force may begin so gently that differences have no digits of it
+            EffectTrial trial = EffectTrial.random(system, effect, random, 1 + 3 * random.nextDouble());
             new EffectClaims(trial, trial.force(), broken).check();
         }
         return broken;
