@@ -34,8 +34,8 @@ public final class Agreement {
     private record Made(Supplier<StudentSource> source, double deltaT, Optional<double[]> end) {
     }
 
-    /** A method, and how far its steps are from the solver's. */
-    public record Match(Method method, double distance) {
+    /** A method, one of its steps, and how far it is from the solver's. */
+    public record Match(Method method, Scheme scheme, double distance) {
     }
 
     /**
@@ -85,10 +85,14 @@ public final class Agreement {
         return one.end.map(end -> StudentSource.distance(end, source.getState())).orElse(Double.NaN);
     }
 
-    /** @return the known method with these steps */
-    public Optional<Match> known() {
+    /**
+     * @param read the solver's weights, if they could be read
+     * @return the known method with these steps, at whatever times the solver evaluates
+     */
+    public Optional<Match> known(Optional<Scheme> read) {
         return Arrays.stream(Method.values()).flatMap(method -> method.schemes().stream().map(scheme -> new Match(
-                method, distance(scheme, scheme)))).filter(match -> match.distance < FLOAT).min(Comparator
+                method, scheme, distance(scheme, read.filter(own -> own.size() == scheme.size()).map(scheme::atTimesOf)
+                .orElse(scheme))))).filter(match -> match.distance < FLOAT).min(Comparator
                 .comparingDouble(Match::distance));
     }
 

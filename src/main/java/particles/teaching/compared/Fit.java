@@ -9,12 +9,12 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.declared.Equation;
 import particles.teaching.declared.Method;
+import particles.teaching.sources.Bodies;
 import particles.teaching.sources.StudentSource;
-import particles.teaching.sources.WindyOscillators;
 
 /**
- * How well the step of a solver fulfils the equations of implicit and multistep methods, on a law that is neither
- * linear nor the same at all times.
+ * How well the step of a solver fulfils the equations of implicit and multistep methods, on two bodies that attract each
+ * other, where the clock does not matter.
  *
  * @param earlier whether it uses earlier steps, so that its sixth one is looked at
  * @param states  the states that its steps reached, the newest first; none if it refused one
@@ -26,16 +26,12 @@ public record Fit(boolean earlier, List<double[]> states) {
     private static final double SOLVED = 1e-5;
     /** A formula of earlier steps leaves round-off or what an iteration leaves, and another one 1e-7 or more. */
     private static final double FITS = 5e-9;
-    private static final double START = 0.5;
     private static final int STEPS = 6;
 
     /** @return how well the steps of this solver fit */
     public static Fit of(Supplier<DESolver> maker, boolean earlier) {
-        WindyOscillators source = new WindyOscillators(2).from(START);
-        double[] s = source.getState();
-        Arrays.setAll(s, k -> (1 + k / 64.0) * s[k]);           // off the exact solution
-        source.setState(s);
-        List<double[]> states = new ArrayList<>(List.of(s));
+        StudentSource source = new Bodies();
+        List<double[]> states = new ArrayList<>(List.of(source.getState()));
         DESolver solver = maker.get();
         for (int step = 0; step < (earlier ? STEPS : 1); step++) {
             if (!source.accepts(solver, H)) {
@@ -67,9 +63,8 @@ public record Fit(boolean earlier, List<double[]> states) {
             double place = equation.places()[j];
             double[] at = place > 0 ? Changes.plus(states.get(1), Changes.plus(states.get(0), states.get(1), -1),
                     place) : states.get((int) (1 - place));
-            StudentSource source = new WindyOscillators(2);
+            StudentSource source = new Bodies();
             source.setState(at);
-            source.incTime(START + (states.size() - 2 + place) * H);
             double[] rate = new double[at.length];
             source.getStateDerivative(rate);
             said = Changes.plus(said, rate, H * equation.rates()[j]);

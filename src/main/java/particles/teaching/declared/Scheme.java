@@ -79,6 +79,11 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
         return new Scheme(changed, times, particles);
     }
 
+    /** @return the same at the times of another one with as many evaluations */
+    public Scheme atTimesOf(Scheme other) {
+        return new Scheme(rows, other.times, particles);
+    }
+
     @Override
     public void make(DEStateSource source, double deltaT) {
         make(source, deltaT, k -> true);

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
-import particles.teaching.declared.Declaration;
+import particles.teaching.declared.Method;
 import particles.teaching.sources.Bodies;
 import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.WindyOscillators;
@@ -40,15 +40,25 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
     }
 
     private String where(OrderMeasurement measured) {
-        return measured == drag ? " where the acceleration depends on the velocity" : measured == bodies
-                && !(bodies.order() > clock.order() - HALF) ? " where bodies attract each other" : "";
+        return measured == drag ? " where the acceleration depends on the velocity" : measured == clock
+                && lowersWithClock() ? " where a force changes with the clock" : measured == bodies && !(bodies.order()
+                > clock.order() - HALF) ? " where bodies attract each other" : "";
+    }
+
+    /** @return whether it is lower where a force changes with the clock */
+    public boolean lowersWithClock() {
+        return clock.order() < bodies.order() - HALF;
+    }
+
+    /** @return the order with two digits */
+    public String digits() {
+        return lower().digits();
     }
 
     /** @return the mistake of errors that do not go to 0, or not as fast as declared, or far slower on one source */
-    public Optional<Finding> mistake(Optional<Declaration> declared, boolean withDrag) {
+    public Optional<Finding> mistake(Optional<Method> meant, boolean withDrag) {
         return Stream.of(bodies, clock, drag).filter(OrderMeasurement::isFar).map(one -> Phrase.NO_CONVERGENCE.of(where(
-                one), one.smallest()[1], one.smallest()[0])).findFirst().or(() -> declared.map(Declaration::method)
-                .flatMap(method -> Stream.of(lower(), withDrag ? drag : clock).filter(one -> one.order()
+                one), one.smallest()[1], one.smallest()[0])).findFirst().or(() -> meant.flatMap(method -> Stream.of(lower(), withDrag ? drag : clock).filter(one -> one.order()
                 < method.order() - HALF).map(one -> Phrase.LOW_ORDER.of(one.digits(), where(one), method.title(),
                 method.order(), method.isFamily() ? " or more" : "")).findFirst())).or(() -> Phrase.OTHER_ORDER.when(
                 Math.abs(bodies.order() - clock.order()) > 3 * HALF, bodies.digits(), clock.digits()));

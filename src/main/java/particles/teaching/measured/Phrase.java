@@ -37,7 +37,8 @@ public enum Phrase {
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
-    OTHER_TIME(Kind.TIME, "%s %s: the state there is that of %s"),
+    OTHER_TIME(Kind.TIME, "%s %s: the state there is that of %s; the measured order is %s"),
+    EARLY_OR_LATE(Kind.STYLE, "%s %s: the state there is that of %s; the measured order is %s all the same"),
     OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
             + " and the velocity %s a deltaT; with %s they are %s and %s"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),

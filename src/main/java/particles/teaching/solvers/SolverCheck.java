@@ -117,18 +117,19 @@ public final class SolverCheck {
 
     private Optional<Finding> ofFormula(boolean remembers) {
         Agreement agreement = new Agreement(maker);
-        Optional<Match> match = agreement.known().filter(one -> !remembers);
+        Optional<Scheme> own = Reading.of(maker).filter(scheme -> !remembers);
+        Optional<Match> match = agreement.known(own).filter(one -> !remembers);
         Fit fit = Fit.of(maker, remembers);
         known = match.map(Match::method).or(fit::known);
         multistep = remembers && (known.isPresent() || contract.evaluations(SHORT) == contract.evaluations(8));
         Optional<Method> kind = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep));
         kind.ifPresent(method -> identity = "This is " + method.title() + ".");
         boolean isOther = known.isPresent() || remembers;
-        Optional<Scheme> read = isOther ? Optional.empty() : Reading.of(maker);
+        Optional<Scheme> read = own.filter(scheme -> match.isPresent() || !isOther);    // not rounds of an iteration
         Optional<Finding> wrong = measured(match, fit, read, remembers);
         Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects(), read);
         return wrong.isPresent() ? cause.map(SolverCheck::named).or(() -> wrong.map(finding -> compared(finding,
-                read))) : cause.filter(this::isMeant).map(SolverCheck::named).or(() -> declared.filter(one ->
+                read, match))) : cause.filter(this::isMeant).map(SolverCheck::named).or(() -> declared.filter(one ->
                 one.asked() && !isOther && !one.method().schemes().isEmpty()).map(one -> Phrase.NOT_THE_METHOD.of(one
                 .method().title(), agreement.distance(one.method().schemes().get(0)), Agreement.H)));
     }
@@ -174,11 +175,16 @@ public final class SolverCheck {
         return other.map(method -> Phrase.CONTRADICTS.of(method.title(), method().orElseThrow().title()));
     }
 
-    /** Each evaluation is at the time to which its state belongs; rounds of an iteration may begin at another one. */
-    private Optional<Finding> inTime(Scheme read) {
-        return IntStream.range(0, read.size()).filter(r -> (declared.isPresent() || read.size() > 1 && orders.order()
-                < LOW) && !Formula.same(read.reached(r), read.times()[r])).mapToObj(r -> Phrase.OTHER_TIME.of(read.what(
-                r), read.formula(r), Formula.time(read.reached(r)))).findFirst();
+    /** An evaluation at another time than that of its state is a mistake if it lowers the order, or leaves it at 1. */
+    private Optional<Finding> inTime(Scheme own) {
+        Scheme read = Reading.used(own);
+        boolean lowers = orders.lowersWithClock() || declared.isEmpty() && orders.order() < LOW && Arrays.stream(read
+                .times()).distinct().count() > 1;
+        Optional<Finding> other = IntStream.range(0, read.size()).filter(r -> !Formula.same(read.reached(r), read
+                .times()[r])).mapToObj(r -> (lowers ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(
+                read.what(r), read.formula(r), Formula.time(read.reached(r)), orders.digits())).findFirst();
+        other.filter(finding -> !finding.isWrong()).ifPresent(notes::add);
+        return other.filter(Finding::isWrong);
     }
 
     /** An implicit method solves its equation. */
@@ -206,7 +212,7 @@ public final class SolverCheck {
         if (known.map(method -> method.schemes().stream().anyMatch(Scheme::particles)).orElse(!alike)) {
             orders.note().ifPresent(notes::add);
         }
-        return orders.mistake(declared, alike);
+        return orders.mistake(method().or(() -> known), alike);
     }
 
     private static Finding named(Cause cause) {
@@ -220,12 +226,14 @@ public final class SolverCheck {
     }
 
     /** Says where the step leaves the declared method's, in numbers. */
-    private Finding compared(Finding finding, Optional<Scheme> read) {
-        Optional<Scheme> right = method().flatMap(method -> method.schemes().stream().findFirst());
+    private Finding compared(Finding finding, Optional<Scheme> read, Optional<Match> match) {
+        Optional<Method> meant = match.map(Match::method).or(this::method);
+        Optional<Scheme> right = match.map(Match::scheme).or(() -> meant.flatMap(method -> method.schemes().stream()
+                .findFirst()));
         if (right.isEmpty() || finding.kind() != Kind.METHOD) {
             return finding;
         }
-        String title = method().orElseThrow().title();
+        String title = meant.orElseThrow().title();
         Scheme known = right.get();
         return read.filter(scheme -> scheme.particles() == known.particles()).map(scheme -> {
             Scheme used = scheme.size() == known.size() ? scheme : Reading.used(scheme);

@@ -207,6 +207,19 @@ final class Kinds {
         });
     }
 
+    /** y = s + deltaT f by a simple iteration, with f between s and y, and the clock so many deltaT after t. */
+    static Step implicit(double place, double clock) {
+        return from((source, h, s) -> {
+            double[] y = s;
+            source.incTime(clock * h);
+            for (int round = 0; round < 60; round++) {
+                y = plus(s, h, slopeAt(source, plus(s, place, y, -place, s)));
+            }
+            source.setState(y);
+            source.incTime(h - clock * h);
+        });
+    }
+
     /** Heun's method with sub-steps, forwards only. */
     private static Step adaptive(Habit... habits) {
         List<Habit> all = List.of(habits);
@@ -393,11 +406,18 @@ final class Kinds {
                     double[] end = plus(s, h, slope(source));
                     source.setState(end);
                     source.incTime(Arrays.equals(s, end) ? 0 : h);
-                })), Kind.wrong("Mine", "midpoint, the clock at the end", Phrase.OTHER_TIME, from((source, h, s) -> {
-                    double[] k = slope(source);
-                    source.setState(plus(s, h, slopeAt(source, plus(s, h / 2, k))));
-                    source.incTime(h);
-                })), Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
+                })), Kind.wrong("Mine", "midpoint, the clock at the end", Phrase.ROW, atOldClock(0.5)),
+                Kind.wrong("Mine", "with 0.6, the clock at the end", Phrase.OTHER_TIME, atOldClock(0.6)), Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
+    }
+
+    /** A method of order 2 with a trial step of this part of deltaT, but for the clock. */
+    private static Step atOldClock(double part) {
+        return from((source, h, s) -> {
+            double[] k = slope(source);
+            double[] l = slopeAt(source, plus(s, part * h, k));
+            source.setState(plus(s, h - h / (2 * part), k, h / (2 * part), l));
+            source.incTime(h);
+        });
     }
 
     /** Adams-Bashforth of order 2 that keeps the last derivative there. */

@@ -103,6 +103,59 @@ class SolverCheckTest {
         }
     }
 
+    private static List<SolverVerdict> verdicts(Method method, Supplier<DESolver> maker) {
+        return List.of(SolverCheck.check(maker, method), SolverCheck.check(maker, "Mine"));
+    }
+
+    /** The scheme with its clock so many deltaT after t in all evaluations. */
+    private static Scheme atClock(Scheme scheme, double clock) {
+        double[] times = new double[scheme.size()];
+        Arrays.fill(times, clock);
+        return new Scheme(scheme.rows(), times, scheme.particles());
+    }
+
+    /** The slides' own loop of particles moves the clock first. */
+    @ParameterizedTest
+    @CsvSource({"EULER,0.5", "EULER,1", "SYMPLECTIC_EULER,0", "SYMPLECTIC_EULER,0.5", "SYMPLECTIC_EULER,1"})
+    void aClockElsewhereIsANoteIfTheOrderIsTheSame(Method method, double clock) {
+        for (Scheme scheme : method.schemes()) {
+            Scheme moved = atClock(scheme, clock);
+            for (SolverVerdict verdict : verdicts(method, moved::solver)) {
+                assertEquals(List.of(), verdict.wrong());
+                assertEquals(Optional.of(method), verdict.method());
+                assertEquals(moved.unlike(scheme) >= 0, verdict.findings().stream().anyMatch(finding ->
+                        finding.cause() == Phrase.EARLY_OR_LATE));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1,0,BACKWARD_EULER", "1,0.5,BACKWARD_EULER", "1,1,BACKWARD_EULER", "0.5,0.5,IMPLICIT_MIDPOINT"})
+    void soItIsInAnImplicitMethod(double place, double clock, Method method) {
+        for (SolverVerdict verdict : verdicts(method, Kinds.implicit(place, clock)::solver)) {
+            assertEquals(List.of(), verdict.wrong());
+            assertEquals(Optional.of(method), verdict.method());
+        }
+    }
+
+    /** All known methods of order 2 or more measure 0.95 to 1.05 with their clock at t or t + deltaT all the time. */
+    @ParameterizedTest
+    @CsvSource({"0", "1"})
+    void aClockThatLowersTheOrderIsAMistake(double clock) {
+        for (Method method : Method.values()) {
+            for (Scheme scheme : method.order() < 2 ? List.<Scheme>of() : method.schemes()) {
+                for (SolverVerdict verdict : verdicts(method, atClock(scheme, clock)::solver)) {
+                    assertEquals(List.of(Phrase.ROW), verdict.wrong().stream().map(Finding::cause).toList());
+                    assertTrue(verdict.wrong().get(0).text().contains("where a force changes with the clock"));
+                    assertEquals(Optional.of(method), verdict.method());
+                }
+            }
+        }
+        for (SolverVerdict verdict : verdicts(Method.IMPLICIT_MIDPOINT, Kinds.implicit(0.5, clock)::solver)) {
+            assertEquals(List.of(Phrase.LOW_ORDER), verdict.wrong().stream().map(Finding::cause).toList());
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"MyRK4Solver,RK4", "HeunSolver,HEUN", "BackwardEuler,BACKWARD_EULER",
         "SemiImplicitEuler,SYMPLECTIC_EULER", "EulerSolver,EULER", "AB2Stepper,AB2", "LeapfrogIntegrator,VERLET",
