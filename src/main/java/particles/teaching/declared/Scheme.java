@@ -3,6 +3,7 @@ package particles.teaching.declared;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -67,9 +68,22 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
         return particles ? 2 : 1;
     }
 
-    /** @return the time to which the state of an evaluation belongs since the step began, in units of deltaT */
-    public double reached(int r) {
+    /** The time to which a state belongs since the step began, in units of deltaT. */
+    private double reached(int r) {
         return particles ? rows[r][1] : Arrays.stream(rows[r]).sum() - 1;
+    }
+
+    /** The clock at a state since the step began, in units of deltaT. */
+    private double clock(int r) {
+        return r < size() ? times[r] : 1;
+    }
+
+    /** @return the first state that belongs to another time than the clock, in a sentence */
+    public Optional<String> astray() {
+        return IntStream.rangeClosed(0, size()).filter(r -> !Formula.same(rows[r][0], 1) || !Formula.same(reached(r),
+                clock(r))).mapToObj(r -> what(r) + " " + formula(r) + ": " + (Formula.same(rows[r][0], 1)
+                ? "this state is that of " + Formula.time(reached(r)) : "the weight of the old state is " + Formula
+                .number(rows[r][0]))).findFirst();
     }
 
     /** @return the same with another row */
@@ -106,7 +120,7 @@ public record Scheme(double[][] rows, double[] times, boolean particles) impleme
             Arrays.setAll(next, k -> moves.test(k) ? IntStream.range(0, row.length).mapToDouble(c -> row[c]
                     * columns[c][k]).sum() : s[k]);
             source.setState(next);
-            source.incTime(start + (r < n ? times[r] : 1) * deltaT - source.getTime());
+            source.incTime(start + clock(r) * deltaT - source.getTime());
             if (r < n) {
                 double[] f = new double[s.length];
                 source.getStateDerivative(f);

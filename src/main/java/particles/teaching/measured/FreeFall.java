@@ -51,17 +51,6 @@ public record FreeFall(double deltaT, double size, int steps, char axis, double 
         return falls;
     }
 
-    /** @return a step's numbers, if they are the same multiples of deltaT with another deltaT */
-    public static Optional<FreeFall> inUnits(Supplier<DESolver> maker) {
-        return of(maker, 1, TRIALS[0]).stream().findFirst().filter(one -> of(maker, 1, TRIALS[1]).stream().noneMatch(
-                one::isUnlike));
-    }
-
-    /** @return whether what falls does so in another way */
-    public boolean isUnlike(FreeFall other) {
-        return off(fell, other.fell) || off(speed, other.speed);
-    }
-
     /** Whether a number is another one; what an iteration that diverged left is none. */
     private boolean off(double value, double right) {
         double off = Math.abs(value - right);

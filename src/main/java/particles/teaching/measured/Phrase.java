@@ -37,10 +37,9 @@ public enum Phrase {
     DIFFERS(Kind.METHOD, "%s %s; %s says %s: %s"),
     STEP(Kind.METHOD, "this is %s, but for one thing: %s"),
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
-    OTHER_TIME(Kind.TIME, "%s %s: the state there is that of %s; the measured order is %s"),
-    EARLY_OR_LATE(Kind.STYLE, "%s %s: the state there is that of %s; the measured order is %s all the same"),
-    OTHER_STEP(Kind.METHOD, "%s; after a step with a constant acceleration a, from rest, the position is %s a deltaT^2"
-            + " and the velocity %s a deltaT; with %s they are %s and %s"),
+    ASTRAY(Kind.METHOD, "%s; %s"),
+    OTHER_TIME(Kind.TIME, "%s; the measured order is %s"),
+    EARLY_OR_LATE(Kind.STYLE, "%s; the measured order is %s all the same"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
     NOT_THE_METHOD(Kind.NAME, "its step is not that of %s: it is off by %s after a step of %s s"),
     EXPLICIT(Kind.NAME, "it is explicit (evaluations per step: %s): nothing is solved, as in %s"),

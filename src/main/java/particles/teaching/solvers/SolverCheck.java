@@ -7,11 +7,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.compared.Agreement;
 import particles.teaching.compared.Agreement.Cause;
@@ -180,9 +178,8 @@ public final class SolverCheck {
         Scheme read = Reading.used(own);
         boolean lowers = orders.lowersWithClock() || declared.isEmpty() && orders.order() < LOW && Arrays.stream(read
                 .times()).distinct().count() > 1;
-        Optional<Finding> other = IntStream.range(0, read.size()).filter(r -> !Formula.same(read.reached(r), read
-                .times()[r])).mapToObj(r -> (lowers ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(
-                read.what(r), read.formula(r), Formula.time(read.reached(r)), orders.digits())).findFirst();
+        Optional<Finding> other = read.astray().map(where -> (lowers ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(
+                where, orders.digits()));
         other.filter(finding -> !finding.isWrong()).ifPresent(notes::add);
         return other.filter(Finding::isWrong);
     }
@@ -225,23 +222,19 @@ public final class SolverCheck {
         return Phrase.DIFFERS.of(changed.what(r), changed.formula(r), title, right.formula(r), cause.mistake());
     }
 
-    /** Says where the step leaves the declared method's, in numbers. */
+    /** Says where the step leaves the method's, or the time, in numbers. */
     private Finding compared(Finding finding, Optional<Scheme> read, Optional<Match> match) {
-        Optional<Method> meant = match.map(Match::method).or(this::method);
-        Optional<Scheme> right = match.map(Match::scheme).or(() -> meant.flatMap(method -> method.schemes().stream()
-                .findFirst()));
-        if (right.isEmpty() || finding.kind() != Kind.METHOD) {
+        if (read.isEmpty() || finding.kind() != Kind.METHOD) {
             return finding;
         }
-        String title = meant.orElseThrow().title();
-        Scheme known = right.get();
-        return read.filter(scheme -> scheme.particles() == known.particles()).map(scheme -> {
-            Scheme used = scheme.size() == known.size() ? scheme : Reading.used(scheme);
-            int r = used.size() == known.size() ? used.unlike(known) : used.size();
-            return r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), title, known.formula(
-                    r == used.size() ? known.size() : r));
-        }).or(() -> FreeFall.inUnits(maker).flatMap(own -> FreeFall.inUnits(known::solver).filter(other ->
-                finding.cause() != Phrase.FALL && own.isUnlike(other)).map(other -> Phrase.OTHER_STEP.of(finding.text(),
-                own.fell(), own.speed(), title, other.fell(), other.speed())))).orElse(finding);
+        Scheme own = read.get();
+        Optional<Method> meant = match.map(Match::method).or(this::method);
+        return match.map(Match::scheme).or(() -> meant.flatMap(method -> method.schemes().stream().findFirst())).filter(
+                scheme -> scheme.particles() == own.particles()).map(known -> {
+                    Scheme used = own.size() == known.size() ? own : Reading.used(own);
+                    int r = used.size() == known.size() ? used.unlike(known) : used.size();
+                    return r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), meant
+                            .orElseThrow().title(), known.formula(r == used.size() ? known.size() : r));
+                }).or(() -> own.astray().map(where -> Phrase.ASTRAY.of(finding.text(), where))).orElse(finding);
     }
 }
