@@ -40,34 +40,23 @@ class ExperimentOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean \
-            'block'?
-            phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''
-            phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z
-            phasePlots     | -Pabout=blok        | option -Pabout: the scene has no particle 'blok'; did you mean \
-            'block'
-            phasePlots     | -Pabout=block       | option -Pabout: 'block' has no angle about itself; choose another
+            phasePlots     | -Pset=output.phase.particle=blok | -Pset output.phase.particle: unknown particle 'blok'; \
+            did you mean 'block'?
+            phasePlots     | -Pset=output.phase.axis=w | -Pset output.phase.axis: unknown axis 'w'
             phasePlots     | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'; did you mean 'rk4'?
             phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle
-            phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?
+            phasePlots     | -Pscenes=2         | unknown option -Pscenes; did you mean -Pscene?
             workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean \
             'kepler'?
             workPrecision  | '-Pproblem= ,'      | option -Pproblem: choose at least one problem
             workPrecision  | -Psolvers=no.Such   | option -Psolvers:
-            stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only
+            stability      | -Psolvers=deSolvers.RK4Solver | option -Psolvers: your own class is measured in a scene
+            stability      | -Pset=deltaT=1      | option -Pset: goes with -Pscene only
             stability      | -Pscene=1           | option -Pscene: this scene has no vibration or damping
-            stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8
             stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: unknown solver 'rk'
-            lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0
-            lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000
-            lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver
-            lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver
-            lectureFigures | -Psolver=rk5        | option -Psolver: unknown solver 'rk5'
             energyDrift    | -Pscene=sprng       | there is no scene 'sprng'
-            energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)
-            energyDrift    | -Pduration=soon     | -Pduration:
-            race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s
-            race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000
+            energyDrift    | -Pset=duration=soon | -Pset duration:
+            race           | -Pset=duration=0    | option -Pset: duration: a race has to last longer than 0 s
             energyDrift    | -Psolvers=rk4,rk4   | option -Psolvers: 'rk4' appears twice
             workPrecision  | -Pproblem=cloth,cloth | option -Pproblem: 'cloth' appears twice
             report         | -Pexperiments=race,race | option -Pexperiments: 'race' appears twice

@@ -6,6 +6,7 @@ import static particles.Texts.assertStarts;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -104,6 +105,11 @@ class SweepOptionsTest {
             """)
     void wrongPartsAreRefused(String option, String line) {
         refused(line, "sweep", "--scene=3", "--vary=deltaT = 0.01, 0.02", "--measure=steps", option);
+    }
+
+    @Test
+    void aSweepNeedsAScene() {
+        refused("option -Pscene: names the scene to run", "sweep", "--vary=deltaT=1", "--measure=steps");
     }
 
     private void refused(String line, String command, String... options) {

@@ -198,7 +198,7 @@ class BriefForcesTest {
         for (int start = 0; start < 10; start++) {
             double x = -1 - 0.037 * start;
             List<List<Object>> rows = PhasePortraits.compare(scene(POST.replace("X", "" + x), "rk4"),
-                    SolverChoice.list("verlet"), List.of("b"), List.of(Coordinate.X), Optional.empty(),
+                    SolverChoice.list("verlet"), "b", Optional.of(Coordinate.X), Optional.empty(),
                     (part, what) -> { }).table().rows();
             double late = 3.9436045 * 0.0037 * start;
             assertEquals(3.53320696 - late, (Double) rows.get(1).get(3), 1e-6, "the reference; measured 1e-7");

@@ -54,7 +54,7 @@ public abstract class ProgramCommand {
      * @param text   what was typed, {@code KEY = VALUE, KEY = VALUE ...}; may be blank
      * @return the settings
      */
-    protected final List<Setting> settings(String option, String text) {
+    public final List<Setting> settings(String option, String text) {
         Problems problems = new Problems();
         List<Setting> settings = text.isBlank() ? List.of() : Setting.list(text, style.option(option), problems);
         problems.throwIfAny();

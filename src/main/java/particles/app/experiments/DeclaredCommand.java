@@ -1,15 +1,15 @@
 package particles.app.experiments;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
-import particles.app.experiments.Experiment.Choice;
 import particles.app.experiments.Experiment.Run;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkProblem;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
+import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -18,39 +18,20 @@ import picocli.CommandLine.Spec;
 
 /** The command of a declared experiment. */
 public final class DeclaredCommand extends ExperimentCommand {
-    private static final int MOST_FRAMES = 2000;
-    private static final int MOST_COLUMNS = 500;
-
     private final Experiment experiment;
 
     @Mixin
-    final SceneOptions options = new SceneOptions();
+    private final SceneOptions options = new SceneOptions();
 
-    @Option(names = "--equalWork", arity = "0..1", paramLabel = "true|false", description =
-            "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default: ${DEFAULT-VALUE}).")
-    boolean equalWork;
-
-    @Option(names = "--frames", paramLabel = "NUMBER", description = "Frames of the animation, which shows 20 per"
-            + " second (default: 20 per second of the scene, 40 to 300).")
-    Optional<Integer> frames = Optional.empty();
+    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")
+    private String typedSolvers;
 
     @Option(names = "--problem", paramLabel = "NAMES", description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
     private String problem = "all";
 
-    @Option(names = "--decades", paramLabel = "NUMBER",
-            description = "Decades of stiffness above 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
-    int decades = 8;
-
-    @Option(names = "--columns", paramLabel = "NUMBER",
-            description = "The number of columns and of rows of the cloth (default: ${DEFAULT-VALUE}).")
-    int columns = 40;
-
-    @Option(names = "--rounds", paramLabel = "NUMBER",
-            description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
-    int rounds = 40;
-
-    Supplier<List<String>> problems;
+    private Supplier<List<SolverChoice>> solvers;
+    private Supplier<List<String>> problems;
     private Supplier<Run> run;
 
     /** @param experiment the experiment */
@@ -67,21 +48,19 @@ public final class DeclaredCommand extends ExperimentCommand {
     @Spec
     void declare(CommandSpec spec) {
         spec.name(name()).usageMessage().description(experiment.about);
-        for (Choice choice : Choice.values()) {
-            if (!experiment.options.contains(choice)) {
-                spec.remove(spec.findOption(choice.option));
+        for (String option : List.of("--scene", "--set", "--solvers", "--problem")) {
+            if (!experiment.options.contains(option)) {
+                spec.remove(spec.findOption(option));
             }
         }
     }
 
     @Override
     protected void read(Mistakes mistakes) {
-        options.read(mistakes, this, experiment.scene, experiment.solvers);
+        options.read(mistakes, this, experiment.scene);
+        // the parser leaves an option null that was not given
+        solvers = mistakes.value(() -> solverChoices(typedSolvers == null ? experiment.solvers : typedSolvers));
         problems = mistakes.value(() -> names("problem", "problem", problem, WorkProblem.NAMES));
-        mistakes.check(() -> frames.ifPresent(number -> requireWithin("frames", number, 1, MOST_FRAMES)));
-        mistakes.check(() -> requireWithin("decades", decades, 5, 8));
-        mistakes.check(() -> requireWithin("columns", columns, 2, MOST_COLUMNS));
-        mistakes.check(() -> requireWithin("rounds", rounds, 1, Integer.MAX_VALUE));
         run = mistakes.value(() -> experiment.plan.of(this));
         super.read(mistakes);
     }
@@ -89,6 +68,22 @@ public final class DeclaredCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         return run.get().measure(folder, progress);
+    }
+
+    boolean hasScene() {
+        return options.hasScene();
+    }
+
+    SceneDescription scene() {
+        return options.scene();
+    }
+
+    List<SolverChoice> solvers() {
+        return solvers.get();
+    }
+
+    List<String> problems() {
+        return problems.get();
     }
 
     /** @return the results, under the name of the experiment */

@@ -1,16 +1,5 @@
 package particles.app.experiments;
 
-import static particles.app.experiments.Experiment.Choice.COLUMNS;
-import static particles.app.experiments.Experiment.Choice.DECADES;
-import static particles.app.experiments.Experiment.Choice.DELTA_T;
-import static particles.app.experiments.Experiment.Choice.DURATION;
-import static particles.app.experiments.Experiment.Choice.EQUAL_WORK;
-import static particles.app.experiments.Experiment.Choice.FRAMES;
-import static particles.app.experiments.Experiment.Choice.PROBLEM;
-import static particles.app.experiments.Experiment.Choice.ROUNDS;
-import static particles.app.experiments.Experiment.Choice.SCENE;
-import static particles.app.experiments.Experiment.Choice.SOLVERS;
-
 import java.util.Set;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
@@ -18,20 +7,24 @@ import particles.output.report.ResultPage;
 
 /** The experiments as data; {@link DeclaredCommand} serves all. A plan's code is loaded when it is called. */
 enum Experiment {
+    LECTURE_FIGURES("lectureFigures", "Draws the figures of the lecture: Euler, midpoint and RK4 over the vector"
+            + " field.", Set.of(), "", "all", asked -> StateSpaceExperiments.lectureFigures(asked)),
+    PHASE_PLOTS("phasePlots", "Draws phase portraits of a scene: several solvers over a reference solution.",
+            Set.of("--scene", "--set", "--solvers"), "euler-spiral", "euler,symplectic-euler,rk4",
+            asked -> StateSpaceExperiments.phasePlots(asked)),
     ENERGY_DRIFT("energyDrift", "Compares how well solvers keep the energy of a scene.",
-            Set.of(SCENE, SOLVERS, DELTA_T, DURATION, EQUAL_WORK), "undamped-net", "all",
-            asked -> Experiments.energyDrift(asked)),
+            Set.of("--scene", "--set", "--solvers"), "undamped-net", "all", asked -> Experiments.energyDrift(asked)),
     RACE("race", "Runs solvers with equal work on a scene, side by side in one animation.",
-            Set.of(SCENE, SOLVERS, DELTA_T, DURATION, FRAMES), "soft-chain", Experiment.FIVE,
+            Set.of("--scene", "--set", "--solvers"), "soft-chain", Experiment.FIVE,
             asked -> RaceExperiment.plan(asked)),
     WORK_PRECISION("workPrecision", "Plots the error of solvers against their cost, on several problems.",
-            Set.of(PROBLEM, SOLVERS), "", "all", asked -> Experiments.workPrecision(asked)),
-    STIFF_GALLERY("stiffGallery", "Measures what each solver costs as a spring gets stiffer.",
-            Set.of(SOLVERS, DECADES), "", "all", asked -> Experiments.stiffGallery(asked)),
-    STABILITY("stability", "Measures the longest stable step of each solver.", Set.of(SCENE, SOLVERS, DELTA_T), "",
-            "all", asked -> StabilityExperiment.plan(asked)),
-    EFFECT_COST("effectCost", "Measures what each effect adds to the time of a step.", Set.of(COLUMNS, ROUNDS), "",
-            "all", asked -> Experiments.effectCost(asked)),
+            Set.of("--problem", "--solvers"), "", "all", asked -> Experiments.workPrecision(asked)),
+    STIFF_GALLERY("stiffGallery", "Measures what each solver costs as a spring gets stiffer.", Set.of("--solvers"), "",
+            "all", asked -> Experiments.stiffGallery(asked)),
+    STABILITY("stability", "Measures the longest stable step of each solver.", Set.of("--scene", "--set", "--solvers"),
+            "", "all", asked -> StabilityExperiment.plan(asked)),
+    EFFECT_COST("effectCost", "Measures what each effect adds to the time of a step.", Set.of(), "", "all",
+            asked -> Experiments.effectCost(asked)),
     STIFF_CLOTH("stiffCloth", "Times a frame of ever stiffer cloth: RK4 against backward Euler with one step a frame.",
             Set.of(), "", "all", asked -> Experiments.stiffCloth(asked));
 
@@ -40,33 +33,21 @@ enum Experiment {
 
     final String command;
     final String about;
-    final Set<Choice> options;
+    /** Those of the options of {@link DeclaredCommand} that it has. */
+    final Set<String> options;
     /** The scene without {@code --scene}; empty for none. */
     final String scene;
     /** The solvers without {@code --solvers}. */
     final String solvers;
     final Plan plan;
 
-    Experiment(String command, String about, Set<Choice> options, String scene, String solvers, Plan plan) {
+    Experiment(String command, String about, Set<String> options, String scene, String solvers, Plan plan) {
         this.command = command;
         this.about = about;
         this.options = options;
         this.scene = scene;
         this.solvers = solvers;
         this.plan = plan;
-    }
-
-    /** The options that an experiment can have. */
-    enum Choice {
-        SCENE("--scene"), SOLVERS("--solvers"), DELTA_T("--deltaT"), DURATION("--duration"),
-        EQUAL_WORK("--equalWork"), FRAMES("--frames"), PROBLEM("--problem"), DECADES("--decades"),
-        COLUMNS("--columns"), ROUNDS("--rounds");
-
-        final String option;
-
-        Choice(String option) {
-            this.option = option;
-        }
     }
 
     /** Looks at the options before anything runs. */

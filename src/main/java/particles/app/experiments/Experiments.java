@@ -1,7 +1,5 @@
 package particles.app.experiments;
 
-import static particles.app.experiments.Experiment.Choice.ROUNDS;
-
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,8 +27,12 @@ import particles.view.Panel;
 /** Plans of experiments on solvers and effects. */
 final class Experiments {
     private static final String FAILURES = " Below: the runs without a result.";
-    /** Steps in a round. */
+    /** Decades of stiffness above 1 N/m. */
+    private static final int DECADES = 8;
+    /** Columns, and rows, of the cloth whose steps are timed, the steps of a round, and the rounds. */
+    private static final int COLUMNS = 40;
     private static final int STEPS = 20;
+    private static final int ROUNDS = 10;
 
     private Experiments() {
     }
@@ -38,8 +40,7 @@ final class Experiments {
     static Run energyDrift(DeclaredCommand asked) {
         List<String> first = List.of("euler", "midpoint", "rk4", "verlet", "implicit-midpoint");
         return (folder, progress) -> {
-            Comparison comparison = EnergyDrift.compare(asked.options.scene(), asked.options.solvers(),
-                    asked.equalWork, progress);
+            Comparison comparison = EnergyDrift.compare(asked.scene(), asked.solvers(), progress);
             String title = DriftCharts.title(comparison);
             return asked.page(title, List.of("""
                     The energy error is the change of the total energy minus the work of drag, damping, wind, contacts \
@@ -47,7 +48,8 @@ final class Experiments {
                     run. Where nothing else changes the energy, it drifts or is bounded."""),
                     List.of(Picture.of("energy-drift", "The size of the energy error over time. At the curves: an error"
                             + " that drifts, at the end; the largest size of any other. A cross marks a run that ended"
-                            + " early.", Panel.of(title, List.of(DriftCharts.sizes(comparison)))).first(first),
+                            + " early.", Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts(), "stopped"))))
+                            .first(first),
                             Picture.of("energy-drift-energy-error",
                             "The energy error over time, while it is less than 10 %.",
                             Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison)))).first(first)),
@@ -59,8 +61,8 @@ final class Experiments {
         List<String> first = List.of("euler", "midpoint", "rk4", "dormand-prince", "radau");
         return (folder, progress) -> {
             progress.reached(0, "the references");
-            List<WorkProblem> problems = asked.problems.get().stream().map(WorkProblem::of).toList();
-            List<Curve> all = curves(problems, asked.options.solvers(), progress);
+            List<WorkProblem> problems = asked.problems().stream().map(WorkProblem::of).toList();
+            List<Curve> all = curves(problems, asked.solvers(), progress);
             List<Picture> pictures = new ArrayList<>();
             for (WorkProblem solved : problems) {
                 List<Curve> curves = all.stream().filter(curve -> curve.problem() == solved).toList();
@@ -99,8 +101,8 @@ final class Experiments {
     static Run stiffGallery(DeclaredCommand asked) {
         String title = "Two masses on an ever stiffer spring";
         return (folder, progress) -> {
-            List<Sweep> sweeps = progress.each(asked.options.solvers(), SolverChoice::label, solver ->
-                    StiffGallery.sweep(solver, asked.decades));
+            List<Sweep> sweeps = progress.each(asked.solvers(), SolverChoice::label, solver ->
+                    StiffGallery.sweep(solver, DECADES));
             return asked.page(title, List.of("""
                     Two masses swing together on soft springs while the spring between them gets stiffer: what one \
                     wants to see stays the same, and only stability asks for shorter steps. The cost of an explicit \
@@ -117,12 +119,12 @@ final class Experiments {
 
     static Run effectCost(DeclaredCommand asked) {
         return (folder, progress) -> {
-            List<EffectCost.Cost> costs = EffectCost.measure(asked.columns, STEPS, asked.rounds,
+            List<EffectCost.Cost> costs = EffectCost.measure(COLUMNS, STEPS, ROUNDS,
                     () -> Math.round(1e9 * CpuClock.seconds()), progress);
             Panel panel = EffectCost.panel(costs);
             return asked.page(panel.title(), List.of("A scene pays for what it names and for nothing else: this is a"
-                    + " cloth of " + asked.columns + " x " + asked.columns + " particles, rk4, with one thing more"
-                    + " at a time. Each time is from the fastest of " + asked.rounds + " rounds."),
+                    + " cloth of " + COLUMNS + " x " + COLUMNS + " particles, rk4, with one thing more"
+                    + " at a time. Each time is from the fastest of " + ROUNDS + " rounds."),
                     List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone, on a logarithmic"
                             + " axis.", panel)), List.of(EffectCost.table(costs)));
         };

@@ -42,17 +42,16 @@ final class RaceExperiment {
     }
 
     static Run plan(DeclaredCommand asked) {
-        SceneDescription scene = asked.options.scene();
-        List<SolverChoice> solvers = asked.options.solvers();
+        SceneDescription scene = asked.scene();
+        List<SolverChoice> solvers = asked.solvers();
         double duration = scene.duration();
         if (!(duration > 0)) {
-            throw asked.wrong("duration", "a race has to last longer than 0 s");
+            throw asked.wrong("set", "duration: a race has to last longer than 0 s");
         }
         if (solvers.size() > MOST_SOLVERS) {
             throw asked.wrong("solvers", solvers.size() + " solvers are too many; at most " + MOST_SOLVERS);
         }
-        int frames = asked.frames.orElseGet(() -> (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES,
-                Math.round(PLAYBACK * duration))));
+        int frames = (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * duration)));
         return (folder, progress) -> {
             try (RacePictures pictures = new RacePictures(solvers.size(), frames / duration)) {
                 Result race = new Race(scene, solvers, frames).run(pictures, progress.part(0, 0.5));
@@ -64,11 +63,10 @@ final class RaceExperiment {
     }
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
-        String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which needs most,")
-                .orElse("rk4 at the scene's step");
         return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
-                + " derivative as " + pace + " needs, to within one step or 1 %. The grey ghost is the reference, "
-                + Race.REFERENCE + "; a solver that fails, or goes far from where it ever is, leaves the race."),
+                + " derivative as rk4 at the scene's step, to within one of its own steps, or as few as it can do with."
+                + " The grey ghost is the reference, " + Race.REFERENCE + "; a solver that fails, or goes far from"
+                + " where it ever is, leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """
@@ -150,8 +148,8 @@ final class RaceExperiment {
 
         /** Two digits, as there is little room; the table has the others. */
         private static String step(Lane lane) {
-            return lane.match().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
-                    "deltaT = " + Digits.few(lane.match().setting().deltaT(), 2) + " s");
+            return lane.drift().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
+                    "deltaT = " + Digits.few(lane.drift().setting().deltaT(), 2) + " s");
         }
 
         @Override

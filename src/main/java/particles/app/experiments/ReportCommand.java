@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
@@ -22,10 +21,7 @@ import particles.output.files.OutputFolder;
 import particles.output.report.Report;
 import particles.output.report.Report.Section;
 import particles.output.report.ResultPage;
-import particles.scene.SceneFiles;
-import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.spec.Setting;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -38,7 +34,6 @@ import picocli.CommandLine.Option;
 public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
     private static final String SCENE_OPTION = "--scene";
-    private static final String DURATION_OPTION = "--duration";
     private static final int MOST_LINES = 8;
     private static final double NANO = 1e-9;
 
@@ -47,13 +42,13 @@ public final class ReportCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
-    @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots, race"
-            + " and stability look at: a file, or the name or number of one in scenes (default: each its own).")
-    private String scene;
+    /** Of the experiments that look at a scene; without it, each has its own. */
+    @Mixin
+    private final SceneOptions scene = new SceneOptions();
 
     @Option(names = "--solvers", paramLabel = "NAMES", description =
-            "Their solvers, separated by commas, or all (default: with a scene " + Experiment.FIVE
-            + "); without a scene, stability has all.")
+            "The solvers of experiments that look at a scene, separated by commas, or all (default: with a scene "
+            + Experiment.FIVE + ").")
     private String solvers;
 
     @Option(names = "--experiments", paramLabel = "NAMES",
@@ -61,10 +56,6 @@ public final class ReportCommand extends ResultsCommand {
             + " that look at it).")
     private String names = "all";
 
-    @Option(names = DURATION_OPTION, paramLabel = "SECONDS", description = "A duration other than the scene's.")
-    private String duration;
-
-    private Supplier<Optional<SceneDescription>> about;
     private Supplier<List<ExperimentCommand>> chosen;
 
     /** @param experiments all experiments, in the order of the report */
@@ -74,21 +65,12 @@ public final class ReportCommand extends ResultsCommand {
 
     /** @return the experiments of the course, in the order of the report */
     public static List<ExperimentCommand> experiments() {
-        return Stream.concat(Stream.of(new LectureFiguresCommand(), new PhasePlotsCommand()),
-                Arrays.stream(Experiment.values()).map(DeclaredCommand::new)).toList();
+        return Arrays.stream(Experiment.values()).map(one -> (ExperimentCommand) new DeclaredCommand(one)).toList();
     }
 
     @Override
     protected void read(Mistakes mistakes) {
-        mistakes.check(() -> {                              // picocli leaves options null that were not given
-            if (scene == null && duration != null) {
-                throw wrong("duration", "goes with " + getStyle().option("scene") + " only");
-            }
-        });
-        Supplier<List<Setting>> settings = settings(mistakes, List.of(SceneFormat.DURATION), duration);
-        // a wrong scene is reported here, before the experiments run
-        about = mistakes.value(() -> Optional.ofNullable(scene).map(name ->
-                SceneOptions.read(SceneFiles.find(SceneOptions.SCENES, name), settings.get())));
+        scene.read(mistakes, this, "");         // a wrong scene is reported here, before the experiments run
         mistakes.check(() -> solverChoices(solvers()));
         chosen = mistakes.value(this::readNames);
         super.read(mistakes);
@@ -102,7 +84,7 @@ public final class ReportCommand extends ResultsCommand {
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             sections = progress.parts(chosen.get(), (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
-            new Report(about.get().map(description -> description.title() + ": what").orElse("What")
+            new Report((scene.hasScene() ? scene.scene().title() + ": what" : "What")
                     + " accuracy costs", text(), sections, Digits.format("Made by gradle report of DESolver %s in"
                     + " %.0f s.", Program.VERSION, seconds(begin))).write(folder, FILE);
         }
@@ -126,7 +108,7 @@ public final class ReportCommand extends ResultsCommand {
     private List<ExperimentCommand> readNames() {
         List<String> wanted = names("experiments", "experiment", names,
                 experiments.stream().map(ExperimentCommand::name).toList());
-        boolean onlyOfScene = scene != null && names.strip().equals("all");
+        boolean onlyOfScene = scene.hasScene() && names.strip().equals("all");
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())
                 && (!onlyOfScene || has(new CommandLine(experiment), SCENE_OPTION))).toList();
     }
@@ -138,7 +120,7 @@ public final class ReportCommand extends ResultsCommand {
     /** The report on a scene goes to a folder of its own. */
     @Override
     protected String folderName() {
-        return scene == null ? name() : name() + "-" + scene.replaceFirst("(?s).*[/\\\\]", "")
+        return !scene.hasScene() ? name() : name() + "-" + scene.getTypedScene().replaceFirst("(?s).*[/\\\\]", "")
                 .replaceFirst("[.]yaml$", "");
     }
 
@@ -170,22 +152,22 @@ public final class ReportCommand extends ResultsCommand {
     /** The options of an experiment; experiments on a scene get the report's scene. */
     private String[] options(CommandLine experiment) {
         List<String> options = new ArrayList<>(charts.arguments());
-        if (scene != null && has(experiment, SCENE_OPTION)) {
-            options.add(SCENE_OPTION + "=" + scene);
-        }
-        // without a scene, stability has all solvers
-        if (has(experiment, scene != null ? SCENE_OPTION : DURATION_OPTION) && (scene != null || solvers != null)) {
-            options.add("--solvers=" + solvers());
-        }
-        if (duration != null && has(experiment, DURATION_OPTION)) {
-            options.add(DURATION_OPTION + "=" + duration);
+        if (has(experiment, SCENE_OPTION)) {
+            if (scene.hasScene()) {
+                options.addAll(List.of(SCENE_OPTION + "=" + scene.getTypedScene(), "--set=" + scene.getTypedSet()));
+            }
+            if (scene.hasScene() || solvers != null) {
+                options.add("--solvers=" + solvers());
+            }
         }
         return options.toArray(String[]::new);
     }
 
     private List<String> text() {
         List<String> text = new ArrayList<>();
-        about.get().ifPresent(description -> text.add(description.values().get(SceneFormat.TEACHES)));
+        if (scene.hasScene()) {
+            text.add(scene.scene().values().get(SceneFormat.TEACHES));
+        }
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
                 + " picture, with all digits, are in the folder with the experiment's name beside this page.");
         return text;

@@ -3,74 +3,79 @@ package particles.app.experiments;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
+import particles.app.cli.ProgramCommand;
 import particles.app.cli.ProgramCommand.Mistakes;
-import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
-import particles.experiments.runs.SolverChoice;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
-import particles.scene.format.SceneFormat;
 import particles.spec.Setting;
 import picocli.CommandLine.Option;
 
-/** The options of experiments that run a scene with several solvers. */
+/** The options of a command that looks at a scene, which may name students' classes. */
 final class SceneOptions {
-    static final Path SCENES = Path.of("scenes");
+    private static final Path SCENES = Path.of("scenes");
 
     @Option(names = "--scene", paramLabel = "NAME",
             description = "The scene: a file, or the name or number of one in scenes.")
     private String scene;
 
-    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")
-    private String solvers;
+    @Option(names = "--set", paramLabel = "KEY=VALUE, ...",
+            description = "Other values for keys of the scene, such as 'deltaT=0.01, duration=5'.")
+    private String set = "";
 
-    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "A time step other than the scene's.")
-    private String deltaT;
-
-    @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
-    private String duration;
-
+    private Supplier<Path> file;
+    private Supplier<List<Setting>> settings;
     private Supplier<SceneDescription> description;
-    private Supplier<List<SolverChoice>> choices;
 
-    /** Reads the options; these scene and solvers are the default. */
-    void read(Mistakes mistakes, ResultsCommand command, String standardScene, String standardSolvers) {
-        Supplier<List<Setting>> settings = command.settings(mistakes, List.of(SceneFormat.DELTA_T,
-                SceneFormat.DURATION), deltaT, duration);
-        scene = scene == null ? standardScene : scene;
-        if (!scene.isEmpty()) {
-            Supplier<Path> file = mistakes.value(() -> SceneFiles.find(SCENES, scene));
-            description = mistakes.value(() -> read(file.get(), settings.get()));
+    /** Reads the options; without one, this scene is the default, or none if it is empty. */
+    void read(Mistakes mistakes, ProgramCommand command, String standard) {
+        scene = scene == null ? standard : scene;           // the parser leaves an option null that was not given
+        settings = mistakes.value(() -> command.settings("set", set));
+        if (scene.isEmpty() && !set.isEmpty()) {
+            mistakes.check(() -> {
+                throw command.wrong("set", "goes with " + command.getStyle().option("scene") + " only");
+            });
+        } else if (!scene.isEmpty()) {
+            file = mistakes.value(() -> SceneFiles.find(SCENES, scene));
+            description = mistakes.value(() -> scene(List.of()));
         }
-        choices = mistakes.value(() -> command.solverChoices(solvers == null ? standardSolvers : solvers));
-    }
-
-    /** @return a scene that may name students' classes, with these values in place of its own */
-    static SceneDescription read(Path scene, List<Setting> settings) {
-        return SceneReader.read(scene, new StudentClasses(), settings);
     }
 
     /** @return whether there is a scene, asked for or by default */
     boolean hasScene() {
-        return description != null;
+        return !scene.isEmpty();
     }
 
-    /** @throws particles.spec.messages.InvalidInputException if there is an option that needs a scene */
-    void refuseWithoutScene(ResultsCommand command) {
-        if (solvers != null || deltaT != null) {            // null if the option was not given
-            throw command.wrong(solvers != null ? "solvers" : "deltaT", "goes with "
-                    + command.getStyle().option("scene") + " only");
-        }
-    }
-
-    /** @return the scene, with the options in place of its own values */
+    /** @return the scene, with the values that were set in place of its own */
     SceneDescription scene() {
         return description.get();
     }
 
-    /** @return the solvers */
-    List<SolverChoice> solvers() {
-        return choices.get();
+    /** @return the scene with more values in place of its own */
+    SceneDescription scene(List<Setting> more) {
+        return SceneReader.read(file.get(), new StudentClasses(), Stream.concat(settings.get().stream(), more.stream())
+                .toList());
+    }
+
+    /** @return the scene's file, and those that it names, with the values that were set */
+    String text() {
+        return SceneReader.withFiles(file.get(), new StudentClasses(), settings.get());
+    }
+
+    /** @return the unit of a key of the scene; empty if it has none */
+    String unit(Setting key) {
+        return SceneReader.unit(file.get(), new StudentClasses(), key);
+    }
+
+    /** @return the scene, as typed */
+    String getTypedScene() {
+        return scene;
+    }
+
+    /** @return the values, as typed; may be empty */
+    String getTypedSet() {
+        return set;
     }
 }

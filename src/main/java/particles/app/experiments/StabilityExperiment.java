@@ -45,11 +45,12 @@ final class StabilityExperiment {
     }
 
     static Run plan(DeclaredCommand asked) {
-        if (!asked.options.hasScene()) {
-            asked.options.refuseWithoutScene(asked);
-            return limits(asked);
+        if (!asked.hasScene()) {
+            return limits(asked, asked.solvers().stream().map(solver -> solver.info().orElseThrow(() ->
+                    asked.wrong("solvers", "your own class is measured in a scene; add "
+                    + asked.getStyle().option("scene")))).toList());
         }
-        Spectrum spectrum = SceneStability.spectrum(asked.options.scene());
+        Spectrum spectrum = SceneStability.spectrum(asked.scene());
         if (spectrum.decaying().isEmpty()) {
             throw asked.wrong("scene", "this scene has no vibration or damping at its start that limits a step; choose"
                     + " a scene with springs, drag or rods between free particles");
@@ -57,9 +58,9 @@ final class StabilityExperiment {
         return inScene(asked, spectrum);
     }
 
-    private static Run limits(DeclaredCommand asked) {
+    private static Run limits(DeclaredCommand asked, List<SolverInfo> solvers) {
         return (folder, progress) -> {
-            DataTable limits = StabilityLimit.table(progress.part(0, 0.5));
+            DataTable limits = StabilityLimit.table(solvers, progress.part(0, 0.5));
             return asked.page("Stability limits of all solvers", List.of("""
                     Every limit was measured on the solver's code, by bisection on the test equation y' = lambda y, or \
                     of symplectic solvers on a damped spring with these eigenvalues; beside it is the theory. A spring \
@@ -72,8 +73,8 @@ final class StabilityExperiment {
 
     /** The longest stable step of each solver in a scene with at least one mode that does not grow by itself. */
     private static Run inScene(DeclaredCommand asked, Spectrum spectrum) {
-        SceneDescription scene = asked.options.scene();
-        List<SolverInfo> known = asked.options.solvers().stream().flatMap(one -> one.info().stream()).toList();
+        SceneDescription scene = asked.scene();
+        List<SolverInfo> known = asked.solvers().stream().flatMap(one -> one.info().stream()).toList();
         List<SolverInfo> outlined = (known.isEmpty() ? SolverCatalog.all() : known).stream().sorted(
                 Comparator.comparing(one -> !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
         String grows = spectrum.growth() == 0 ? "" : Digits.format(" Some motion grows by itself, by %.3g /s: that is"
@@ -91,7 +92,7 @@ final class StabilityExperiment {
                         one, and outside or left of that of an implicit one. An outline that is too small to be seen \
                         here is left out.""",
                         SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined))),
-                List.of(SceneStability.table(SceneStability.limits(scene, spectrum, asked.options.solvers(), progress),
+                List.of(SceneStability.table(SceneStability.limits(scene, spectrum, asked.solvers(), progress),
                         scene.deltaT()), modes(spectrum)));
     }
 

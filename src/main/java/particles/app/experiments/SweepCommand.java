@@ -12,10 +12,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.Program;
-import particles.app.student.StudentClasses;
 import particles.app.student.StudentLoader;
 import particles.experiments.grid.Grid;
 import particles.experiments.grid.Grid.Row;
@@ -27,13 +25,11 @@ import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
-import particles.scene.format.SceneDescription;
 import particles.spec.Digest;
 import particles.spec.Setting;
 import particles.spec.messages.Problems;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle sweep}: runs a scene over values of its keys. */
@@ -59,13 +55,8 @@ import picocli.CommandLine.Option;
 public final class SweepCommand extends ExperimentCommand {
     private static final int DIGITS = 12;
 
-    @Option(names = "--scene", paramLabel = "NAME", required = true,
-            description = "The scene: a file, or the name or number of one in scenes.")
-    private String wanted;
-
-    @Option(names = "--set", paramLabel = "KEY=VALUE, ...",
-            description = "Other values for keys of the scene, in all runs.")
-    private String set = "";
+    @Mixin
+    private final SceneOptions options = new SceneOptions();
 
     @Option(names = "--vary", paramLabel = "KEY = VALUES; ...", required = true, description = "One to three keys and"
             + " their values: x, curves and panels of the charts. VALUES are a list, or a range such as"
@@ -84,25 +75,26 @@ public final class SweepCommand extends ExperimentCommand {
             description = "Makes the results from the rows of all parts in this folder, without a run.")
     private Optional<Path> collect = Optional.empty();
 
-    private Supplier<List<Setting>> settings;
-    private Supplier<Path> file;
     private Supplier<Grid> grid;
     private Supplier<List<Measure>> measures;
-    private Supplier<SceneDescription> scene;
     private Supplier<SceneGrid> runs;
 
     @Override
     protected void read(Mistakes mistakes) {
         super.read(mistakes);
-        settings = mistakes.value(() -> settings("set", set));
-        file = mistakes.value(() -> SceneFiles.find(SceneOptions.SCENES, wanted));
+        options.read(mistakes, this, "");
+        if (!options.hasScene()) {
+            mistakes.check(() -> {
+                throw wrong("scene", "names the scene to run, and cannot be left out");
+            });
+            return;
+        }
         grid = mistakes.value(() -> made("vary", () -> new Grid(GridAxis.list(vary).stream().map(axis ->
                 axis.in(unit(axis))).toList())));
         measures = mistakes.value(() -> made("measure", () -> Measure.list(measure)));
-        scene = mistakes.value(() -> read(List.of()));
         runs = mistakes.value(() -> {
-            SceneGrid made = new SceneGrid(this::read, grid.get(), measures.get(), getStyle().option("vary"));
-            Objects.requireNonNull(scene.get());        // its own mistakes come first
+            SceneGrid made = new SceneGrid(options::scene, grid.get(), measures.get(), getStyle().option("vary"));
+            Objects.requireNonNull(options.scene());        // its own mistakes come first
             made.checkAxes();
             made("measure", () -> {
                 made.checkMeasures();
@@ -123,20 +115,14 @@ public final class SweepCommand extends ExperimentCommand {
         });
     }
 
-    private SceneDescription read(List<Setting> more) {
-        return SceneOptions.read(file.get(), Stream.concat(settings.get().stream(), more.stream()).toList());
-    }
-
     private String unit(GridAxis axis) {
-        return Setting.of(axis.key(), axis.values().get(0), "", new Problems()).map(setting ->
-                SceneReader.unit(file.get(), new StudentClasses(), setting)).orElse("");
+        return Setting.of(axis.key(), axis.values().get(0), "", new Problems()).map(options::unit).orElse("");
     }
 
     /** The beginning of the names of the files with rows of this version, scene, axes and measures. */
     private String rowsName() {
-        String text = SceneReader.withFiles(file.get(), new StudentClasses(), settings.get());
-        String all = String.join("\n", Program.VERSION, text, set,
-                StudentLoader.namedIn(String.join("\n", text, set, vary)).toString(),
+        String read = String.join("\n", options.text(), options.getTypedSet());
+        String all = String.join("\n", Program.VERSION, read, StudentLoader.namedIn(read + "\n" + vary).toString(),
                 grid.get().axes().stream().map(GridAxis::key).collect(Collectors.joining("\n")),
                 measures.get().stream().map(Measure::name).collect(Collectors.joining("\n")));
         return "rows-" + Digest.of(all).substring(0, DIGITS);
@@ -162,7 +148,7 @@ public final class SweepCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Row> rows = collect.map(this::collected).orElseGet(() -> compute(progress));
         GridCharts charts = new GridCharts(grid.get(), measures.get(), rows);
-        String title = scene.get().title();
+        String title = options.scene().title();
         long failed = rows.stream().filter(row -> !row.end().equals(SceneGrid.WHOLE)).count();
         String text = rows.size() + " runs" + (failed == 0 ? "." : ", " + failed
                 + " of them failed; the last column has the reasons.")

@@ -17,8 +17,6 @@ import particles.view.Series.Mark;
 
 /** The energy drift of several solvers as charts and as a table. */
 public final class DriftCharts {
-    /** The name of the crosses in a race's legend. */
-    public static final String LEFT = "left the race";
     /** The linear chart ends at this part of the energy scale (%). */
     private static final double LINEAR = 10;
     private static final double PERCENT = 100;
@@ -29,17 +27,18 @@ public final class DriftCharts {
     }
 
     /**
-     * @param comparison the measured drifts
-     * @return the size of all errors on a logarithmic axis, with a cross where a run ended early
+     * @param drifts  the measured drifts
+     * @param stopped the name of the crosses where a run ended early
+     * @return the size of all errors on a logarithmic axis
      */
-    public static Chart sizes(Comparison comparison) {
+    public static Chart sizes(List<Drift> drifts, String stopped) {
         List<Series> series = new ArrayList<>();
-        for (Drift drift : comparison.drifts()) {
+        for (Drift drift : drifts) {
             series.add(new Series(drift.look(), drift.label(), Mark.LINE, drift.time(), Arrays.stream(drift.error())
                     .map(e -> PERCENT * Math.abs(e)).map(e -> e < SMALLEST ? Double.NaN : e).toArray())
                     .ending(end(drift)));
             if (drift.kind() == Kind.FAILED) {
-                series.add(Series.point(drift.look(), comparison.race() ? LEFT : "stopped", Mark.FAILURES,
+                series.add(Series.point(drift.look(), stopped, Mark.FAILURES,
                         drift.time()[drift.time().length - 1], Math.max(SMALLEST, PERCENT * Math.abs(drift.end()))));
             }
         }
@@ -68,18 +67,17 @@ public final class DriftCharts {
 
     /** @return what is compared */
     public static String title(Comparison comparison) {
-        return comparison.scene() + ": energy error" + (comparison.equalWork() ? ", equal evaluations" : "");
+        return comparison.scene() + ": energy error";
     }
 
     /**
      * @param comparison the measured drifts
-     * @return a row for each solver; tolerances and failures have a column only if there are any
+     * @return a row for each solver; failures have a column only if there are any
      */
     public static DataTable table(Comparison comparison) {
         return DataTable.of("drift", "Numerical energy error in percent of the energy scale of an accurate run, "
                 + Digits.few(comparison.scale(), 4) + " J", comparison.drifts(), column("solver", Drift::label),
                 column("deltaT (s)", drift -> drift.setting().deltaT()),
-                column("tolerance", drift -> drift.setting().tolerance().orElse(Double.NaN)),
                 column("end drift (%)", 2, drift -> PERCENT * drift.end()),
                 column("largest (%)", 2, drift -> PERCENT * drift.extreme()),
                 column("slope (%/s)", 3, drift -> PERCENT * drift.slope()),

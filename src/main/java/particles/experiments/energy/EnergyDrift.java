@@ -6,7 +6,6 @@ import java.util.List;
 import particles.Observer;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyRecorder;
-import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -95,38 +94,31 @@ public final class EnergyDrift {
     /**
      * The energy drift of all solvers compared.
      *
-     * @param scene     the scene's title
-     * @param scale     the energy scale by which errors were divided (J)
-     * @param equalWork whether the runs were made to cost the same, rather than to have the same step
-     * @param race      whether a run that ends early leaves a race
-     * @param drifts    the result of each solver
+     * @param scene  the scene's title
+     * @param scale  the energy scale by which errors were divided (J)
+     * @param drifts the result of each solver
      */
-    public record Comparison(String scene, double scale, boolean equalWork, boolean race, List<Drift> drifts) {
+    public record Comparison(String scene, double scale, List<Drift> drifts) {
     }
 
     private EnergyDrift() {
     }
 
     /**
-     * @param scene     a scene, with the step and duration that are wanted
-     * @param solvers   the solvers to compare
-     * @param equalWork whether each solver gets the step or tolerance with which it costs as much as rk4 at the scene's
-     *                  step
-     * @param progress  receives the progress
+     * @param scene    a scene, with the step and duration that are wanted
+     * @param solvers  the solvers to compare
+     * @param progress receives the progress
      * @return the runs
      */
-    public static Comparison compare(SceneDescription scene, List<SolverChoice> solvers, boolean equalWork,
-                                     ProgressListener progress) {
+    public static Comparison compare(SceneDescription scene, List<SolverChoice> solvers, ProgressListener progress) {
         progress.reached(0, "the energy scale");
         double scale = scale(scene);
-        long target = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
-        EqualWork work = new EqualWork(scene, target);
         // measured: the scale takes nearly half of the time
-        List<Drift> drifts = progress.part(0.45, 1).onAllCores(solvers, SolverChoice::label, solver -> {
-            Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
-            return measure(SceneRun.build(scene, setting), setting, scale, List.of());
-        });
-        return new Comparison(scene.title(), scale, equalWork, false, drifts);
+        return new Comparison(scene.title(), scale, progress.part(0.45, 1).onAllCores(solvers, SolverChoice::label,
+                solver -> {
+                    Setting setting = Setting.of(solver, scene.deltaT());
+                    return measure(SceneRun.build(scene, setting), setting, scale, List.of());
+                }));
     }
 
     /** @param beside further observers, called after the energy is recorded */

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
-import particles.experiments.phase.PhasePortraits.Portrait.Subject;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
@@ -40,18 +39,14 @@ public final class PhasePortraits {
     /**
      * The result of the runs.
      *
-     * @param portraits the portraits of each particle, axis and solver
+     * @param portraits the portrait of each solver
      * @param table     the last position of the particle with each solver, and its distance from the reference
      */
     public record Portraits(List<Portrait> portraits, DataTable table) {
     }
 
-    /** One solver's run, with the path of each particle. */
-    private record Run(String name, Look look, List<PhaseHistory> paths, Outcome outcome) {
-        Series path(int particle, Coordinate axis) {
-            Series path = paths.get(particle).chart(axis, look, name).series().get(0);
-            return new Series(look, name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
-        }
+    /** A run with the path of the particle. */
+    private record Run(Setting setting, PhaseHistory path, Outcome outcome) {
     }
 
     private PhasePortraits() {
@@ -60,42 +55,34 @@ public final class PhasePortraits {
     /**
      * @param scene     a scene, with the step and duration that are wanted
      * @param solvers   the solvers to compare
-     * @param particles their ids
-     * @param axes      the axes of the portraits; none for the one along which each particle goes farthest
+     * @param particle  the id of the particle
+     * @param wanted    the axis of the portraits; empty for the one along which the particle goes farthest
      * @param about     the particle about which angles are measured, for {@link Coordinate#ANGLE}
      * @param progress  receives the progress
      * @return the portraits
      */
-    public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
-            List<Coordinate> axes, Optional<String> about, ProgressListener progress) {
+    public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, String particle,
+            Optional<Coordinate> wanted, Optional<String> about, ProgressListener progress) {
         List<Setting> settings = new ArrayList<>(List.of(Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE)));
         solvers.forEach(solver -> settings.add(Setting.of(solver, scene.deltaT())));
-        List<Run> all = progress.onAllCores(settings, Setting::label, setting -> setting == settings.get(0)
-                ? run(scene, setting, REFERENCE, Look.REFERENCE, particles, about)
-                : run(scene, setting, setting.label(), setting.solver().look(), particles, about));
-        Run reference = all.get(0);
-        List<Run> runs = all.subList(1, all.size());
-        List<Portrait> portraits = new ArrayList<>();
-        List<Portrait> rows = new ArrayList<>();
-        for (int p = 0; p < particles.size(); p++) {
-            for (Coordinate axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
-                Subject subject = new Subject(particles.get(p), axis);
-                CurveDistance curve = new CurveDistance(reference.path(p, axis));
-                for (Run run : runs) {
-                    Series path = run.path(p, axis);
-                    portraits.add(new Portrait(subject, path, curve, curve.largest(path), run.outcome()));
-                    rows.add(portraits.get(portraits.size() - 1));
-                }
-                rows.add(new Portrait(subject, curve.curve(), curve, 0, reference.outcome()));
-            }
-        }
-        boolean angles = axes.contains(Coordinate.ANGLE);
-        String position = angles ? "angle%s (rad)" : "position%s (m)";
-        String velocity = angles ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
+        List<Run> runs = progress.onAllCores(settings, Setting::label, setting -> {
+            PhaseHistory path = new PhaseHistory(particle, about);
+            return new Run(setting, path, SceneRun.run(SceneRun.build(scene, setting), List.of(path)));
+        });
+        Coordinate axis = wanted.orElseGet(runs.get(0).path()::widestAxis);
+        CurveDistance curve = new CurveDistance(path(runs.get(0), axis, Look.REFERENCE, REFERENCE));
+        List<Portrait> portraits = runs.subList(1, runs.size()).stream().map(run -> {
+            Series path = path(run, axis, run.setting().solver().look(), run.setting().label());
+            return new Portrait(particle, axis, path, curve, curve.largest(path), run.outcome());
+        }).toList();
+        List<Portrait> rows = new ArrayList<>(portraits);
+        rows.add(new Portrait(particle, axis, curve.curve(), curve, 0, runs.get(0).outcome()));
+        String position = axis == Coordinate.ANGLE ? "angle%s (rad)" : "position%s (m)";
+        String velocity = axis == Coordinate.ANGLE ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
         return new Portraits(portraits, DataTable.of("ends",
                 "Where the particle was at the end, and how far its path was from the reference's curve on the way",
-                rows, column("particle", row -> row.subject().particle()),
-                column("axis", row -> row.subject().axis().symbol()), column("solver", Portrait::solver),
+                rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
+                column("solver", Portrait::solver),
                 column(position.formatted(""), row -> last(row.path().x())),
                 column(velocity.formatted(""), row -> last(row.path().y())),
                 column(position.formatted(" error"), 3, row -> row.error(Series::x)),
@@ -105,36 +92,28 @@ public final class PhasePortraits {
                 column("what went wrong", row -> row.outcome().failure().orElse(""))));
     }
 
-    private static double last(double[] values) {
-        return values[values.length - 1];
+    private static Series path(Run run, Coordinate axis, Look look, String name) {
+        Series path = run.path().chart(axis, look, name).series().get(0);
+        return new Series(look, name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
     }
 
-    private static Run run(SceneDescription scene, Setting setting, String name, Look look, List<String> particles,
-            Optional<String> about) {
-        List<PhaseHistory> paths = particles.stream().map(id -> new PhaseHistory(id, about)).toList();
-        return new Run(name, look, paths, SceneRun.run(SceneRun.build(scene, setting), paths));
+    private static double last(double[] values) {
+        return values[values.length - 1];
     }
 
     /**
      * One solver's path of one particle over that of a very accurate run.
      *
-     * @param subject what is seen
+     * @param particle its id
+     * @param axis    the axis
      * @param path    the path, with the solver's label for a name
      * @param curve   the reference's curve
      * @param off     the largest distance of the path from the curve, in halves of the curve's width and height; NaN if
      *                the reference has no curve
      * @param outcome the outcome of the solver's run
      */
-    public record Portrait(Subject subject, Series path, CurveDistance curve, double off, Outcome outcome) {
-        /**
-         * A particle along an axis.
-         *
-         * @param particle its id
-         * @param axis     the axis
-         */
-        public record Subject(String particle, Coordinate axis) {
-        }
-
+    public record Portrait(String particle, Coordinate axis, Series path, CurveDistance curve, double off,
+            Outcome outcome) {
         /** @return the solver's label */
         public String solver() {
             return path.name();
@@ -169,8 +148,7 @@ public final class PhasePortraits {
                 series.add(Series.point(Look.MARK, ends ? "end" : "stopped, or out of the picture",
                         ends ? Mark.POINTS : Mark.FAILURES, path.x()[end], path.y()[end]));
             }
-            return new Chart(subject.axis().position(" of '" + subject.particle() + "'"),
-                    subject.axis().velocity(""), series);
+            return new Chart(axis.position(" of '" + particle + "'"), axis.velocity(""), series);
         }
 
         /** @return how far the path is off the reference's curve, in a line; empty if that has no curve */

@@ -16,8 +16,6 @@ import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.runs.EqualWork;
-import particles.experiments.runs.EqualWork.Match;
-import particles.experiments.runs.EqualWork.Shares;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -34,7 +32,7 @@ import particles.view.Look;
  * Work is counted in evaluations of the derivative, those for Jacobians included.
  *
  * @param scene   the scene, with the duration of the race; rk4 at its step sets the work of all
- * @param solvers the solvers that take part; one that cannot do with so little work sets the work of all
+ * @param solvers the solvers that take part
  * @param frames  the number of parts into which the duration is divided, 1 or more
  */
 public record Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
@@ -60,21 +58,20 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
     /**
      * The run of one solver.
      *
-     * @param match    its step or tolerance, and the cost of it
-     * @param drift    its energy drift, up to its end
+     * @param drift    its setting and its energy drift, up to its end
      * @param states   its states at the frames' times, up to its end: (x1, v1, x2, v2, ...)
      * @param distance its distance from the reference at these times, root mean square over the particles (m); NaN
      *                 if any are born or die, and between the steps of an adaptive solver
      */
-    public record Lane(Match match, Drift drift, List<double[]> states, double[] distance) {
+    public record Lane(Drift drift, List<double[]> states, double[] distance) {
         /** @return the solver's name in charts */
         public String label() {
-            return match.setting().label();
+            return drift.label();
         }
 
         /** @return the solver's look in charts */
         public Look look() {
-            return match.setting().solver().look();
+            return drift.look();
         }
 
         /** @return the time at which it left the race (s): it failed, or went far from any place of the reference */
@@ -87,15 +84,14 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      * The race.
      *
      * @param scene     the scene's title
-     * @param duration  the duration of the race (s)
+     * @param work      the evaluations that each solver was to cost
      * @param times     the times of the frames (s)
-     * @param shares    the work of each solver, and the solver that cannot do with less
      * @param scale     the energy scale by which errors are divided (J)
      * @param reference its states at the frames' times
      * @param lanes     the run of each solver
      */
-    public record Result(String scene, double duration, double[] times, Shares shares, double scale,
-                         List<double[]> reference, List<Lane> lanes) {
+    public record Result(String scene, long work, double[] times, double scale, List<double[]> reference,
+                         List<Lane> lanes) {
     }
 
     /**
@@ -114,14 +110,16 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         double scale = runReference(reference, extent);
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         // measured: the reference takes a tenth of the time, the search a third, the reference's frames a fifth
-        Shares shares = EqualWork.ofFrames(scene, evaluations, frames).share(solvers, progress.part(0.1, 0.4));
+        EqualWork work = new EqualWork(scene, evaluations, frames);
+        List<Setting> settings = progress.part(0.1, 0.4).onAllCores(solvers, solver -> "equal work for "
+                + solver.label(), work::find);
         Scene again = SceneRun.build(scene, tight());
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
-        List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
-                lane(match, rate, scale, reference.states, extent, factory)).toList();
+        List<Supplier<Lane>> runs = settings.stream().map(setting ->
+                lane(setting, rate, scale, reference.states, extent, factory)).toList();
         List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
-        return new Result(scene.title(), scene.duration(), times, shares, scale, reference.states, lanes);
+        return new Result(scene.title(), evaluations, times, scale, reference.states, lanes);
     }
 
     /**
@@ -151,23 +149,23 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
     }
 
     /** Prepares the run of a solver, to be done at any time. */
-    private Supplier<Lane> lane(Match match, double rate, double scale, List<double[]> reference,
+    private Supplier<Lane> lane(Setting setting, double rate, double scale, List<double[]> reference,
             Extent extent, ObserverFactory factory) {
-        Scene built = SceneRun.build(scene, match.setting());
+        Scene built = SceneRun.build(scene, setting);
         FrameStates states = new FrameStates(rate);
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
-        observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
+        observers.addAll(factory.of(built, Optional.of(setting.solver()), extent));
         return () -> {
-            Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
+            Drift drift = EnergyDrift.measure(built, setting, scale, observers);
             double[] distance = new double[states.states.size()];
             Arrays.fill(distance, Double.NaN);
             // where particles are born or die, an index may be that of another particle
             boolean same = Stream.concat(reference.stream(), states.states.stream()).mapToInt(state -> state.length)
                     .distinct().count() == 1;
-            for (int k = 0; same && k < distance.length; k += framesAStep(match.setting())) {
+            for (int k = 0; same && k < distance.length; k += framesAStep(setting)) {
                 distance[k] = distance(states.states.get(k), reference.get(k));
             }
-            return new Lane(match, drift, states.states, distance);
+            return new Lane(drift, states.states, distance);
         };
     }
 

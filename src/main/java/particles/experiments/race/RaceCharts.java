@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.experiments.energy.DriftCharts;
-import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.view.Axis;
@@ -20,6 +19,7 @@ import particles.view.Series.Mark;
 /** Charts and tables of a race. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
+    private static final String LEFT = "left the race";
 
     private RaceCharts() {
     }
@@ -29,8 +29,7 @@ public final class RaceCharts {
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static Chart energy(Result race) {
-        return DriftCharts.sizes(new Comparison(race.scene(), race.scale(), true, true,
-                race.lanes().stream().map(Lane::drift).toList())).named("energy-error");
+        return DriftCharts.sizes(race.lanes().stream().map(Lane::drift).toList(), LEFT).named("energy-error");
     }
 
     /**
@@ -45,7 +44,7 @@ public final class RaceCharts {
                     .mapToObj(k -> new double[] {race.times()[k], lane.distance()[k]}).toList();
             series.add(Series.of(lane.look(), lane.label(), Mark.LINE, known).ending(mean(lane)));
             if (lane.left().isPresent() && !known.isEmpty()) {
-                series.add(Series.of(lane.look(), DriftCharts.LEFT, Mark.FAILURES,
+                series.add(Series.of(lane.look(), LEFT, Mark.FAILURES,
                         known.subList(known.size() - 1, known.size())));
             }
         }
@@ -64,7 +63,7 @@ public final class RaceCharts {
      */
     public static String title(Result race) {
         return Digits.format("%s: equal work, %d evaluations for the whole race", race.scene(),
-                race.shares().work());
+                race.work());
     }
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
@@ -79,8 +78,8 @@ public final class RaceCharts {
      */
     public static DataTable table(Result race) {
         return DataTable.of("race", title(race), race.lanes(), column("solver", Lane::label),
-                column("deltaT (s)", lane -> lane.match().setting().deltaT()),
-                column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
+                column("deltaT (s)", lane -> lane.drift().setting().deltaT()),
+                column("tolerance", 2, lane -> lane.drift().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),
                 column("distance, rms (m)", 3, RaceCharts::rms),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN

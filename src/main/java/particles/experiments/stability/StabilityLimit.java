@@ -1,6 +1,5 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.text.Digits;
@@ -96,14 +95,15 @@ public record StabilityLimit(double value, double growth) {
     }
 
     /**
+     * @param solvers  the solvers
      * @param progress receives the progress
-     * @return the table, a row for each solver of the catalogue
+     * @return the table, a row for each solver
      */
-    public static DataTable table(ProgressListener progress) {
+    public static DataTable table(List<SolverInfo> solvers, ProgressListener progress) {
         return new DataTable("limits", "The largest stable deltaT |lambda|; growth is given at deltaT |lambda| = 0.1",
                 Stream.of("solver", "real limit: theory", "measured", "imaginary limit: theory", "measured ",
                 "damped limit: stated", "measured  ", "measured on").map(DataTable::column).toList(),
-                progress.each(SolverCatalog.all(), info -> "limits of " + info.name(), StabilityLimit::row));
+                progress.each(solvers, info -> "limits of " + info.name(), StabilityLimit::row));
     }
 
     private static List<Object> row(SolverInfo info) {

@@ -44,7 +44,7 @@ class EdgeScenesTest {
         Path scene = Files.writeString(top.resolve("edge.yaml"), HEAD + particles);
         List<String> args = new ArrayList<>(List.of(task, "--scene=" + scene, "--out=" + top.resolve("out")));
         if (task.equals("race")) {
-            args.addAll(List.of("--frames=4", "--solvers=euler,rk4"));
+            args.add("--solvers=euler,rk4");
         }
         Screen screen = Screen.of(Main.commands(new StopRequest()), OptionStyle.SHELL, args.toArray(String[]::new));
         boolean noPath = task.equals("phasePlots") && what.equals("all are fixed");

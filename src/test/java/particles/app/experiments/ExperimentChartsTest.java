@@ -38,10 +38,9 @@ class ExperimentChartsTest {
     Path top;
 
     @ParameterizedTest
-    @ValueSource(strings = {"lectureFigures", "phasePlots", "energyDrift --duration=2",
+    @ValueSource(strings = {"lectureFigures", "phasePlots", "energyDrift --set=duration=2",
         "energyDrift --scene=3 --solvers=rk4,verlet,midpoint",
-        "stiffGallery --decades=5 --solvers=euler,rk4,verlet,radau",
-        "effectCost --columns=3 --rounds=1", "stability --scene=4",
+        "stiffGallery --solvers=rk4,verlet", "stability --scene=4",
         "workPrecision --problem=pendulum --solvers=radau,step-doubling"})
     void chartsCanBeReadAndTheirNumbersAreInFiles(String task) throws IOException {
         int drawn = 0;
@@ -112,10 +111,10 @@ class ExperimentChartsTest {
 
     @Tag("slow")
     @ParameterizedTest
-    @ValueSource(strings = {"stiffGallery --decades=6", "stability", "stability --scene=17 --solvers=rk4,verlet",
+    @ValueSource(strings = {"stiffGallery", "effectCost", "stability", "stability --scene=17 --solvers=rk4,verlet",
         "workPrecision --problem=network",
         "workPrecision --problem=stiff-chain --solvers=rk4,verlet,backward-euler,radau", "stiffCloth",
-        "race --frames=150", "race --solvers=euler,rk4", "race --scene=27 --duration=0.6", "energyDrift"})
+        "race", "race --solvers=euler,rk4", "race --scene=27 --set=duration=0.6", "energyDrift"})
     void soCanThoseOfWholeExperiments(String task) throws IOException {
         chartsCanBeReadAndTheirNumbersAreInFiles(task);
     }

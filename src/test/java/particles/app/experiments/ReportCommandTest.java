@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,12 +20,14 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.Screen;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
 import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 class ReportCommandTest {
     private static final RuntimeException ODD = new IllegalStateException("odd");
@@ -38,9 +41,15 @@ class ReportCommandTest {
         @Mixin
         private final SceneOptions options = new SceneOptions();
 
+        @Option(names = "--solvers")
+        private String solvers = "radau";
+
+        private Supplier<List<SolverChoice>> chosen;
+
         @Override
         protected void read(Mistakes mistakes) {
-            options.read(mistakes, this, "one-spring", "radau");
+            options.read(mistakes, this, "one-spring");
+            chosen = mistakes.value(() -> solverChoices(solvers));
             super.read(mistakes);
         }
 
@@ -48,7 +57,7 @@ class ReportCommandTest {
         protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
             progress.reached(0.5, "half");
             return new ResultPage("shows", options.scene().title() + " by "
-                    + options.solvers().size(), List.of("So it is."), List.of(),
+                    + chosen.get().size(), List.of("So it is."), List.of(),
                     List.of(new DataTable("t", "Numbers", List.of(DataTable.column("x")), List.of(List.of(0.125)))));
         }
     }
@@ -123,8 +132,8 @@ class ReportCommandTest {
                 "option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?");
         report(ExitCode.BAD_INPUT, ODD, "--scene=sprng");
         report(ExitCode.BAD_INPUT, ODD, "--solvers=rk5");
-        report(ExitCode.BAD_INPUT, ODD, "--scene=2", "--duration=-1");
-        assertHas(report(ExitCode.BAD_INPUT, ODD, "--duration=1").err(), "-Pduration: goes with -Pscene only");
+        report(ExitCode.BAD_INPUT, ODD, "--scene=2", "--set=duration=-1");
+        assertHas(report(ExitCode.BAD_INPUT, ODD, "--set=duration=1").err(), "-Pset: goes with -Pscene only");
         assertFalse(Files.exists(top.resolve("report")), "nothing is written");
     }
 }

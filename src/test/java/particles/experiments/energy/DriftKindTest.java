@@ -48,7 +48,7 @@ class DriftKindTest {
     }
 
     private static List<String> ends(Drift... drifts) {
-        Comparison comparison = new Comparison("Scene", SCALE, false, false, List.of(drifts));
+        Comparison comparison = new Comparison("Scene", SCALE, List.of(drifts));
         DataTable table = DriftCharts.table(comparison);
         List<String> columns = table.columns().stream().map(DataTable.Column::name).toList();
         for (int k = 0; k < drifts.length; k++) {
@@ -58,7 +58,7 @@ class DriftKindTest {
         assertFalse(columns.contains("tolerance"), "a column that would be empty");
         boolean failed = Stream.of(drifts).anyMatch(drift -> drift.kind() == Kind.FAILED);
         assertEquals(failed, columns.contains("what went wrong"));
-        Chart sizes = DriftCharts.sizes(comparison);
+        Chart sizes = DriftCharts.sizes(comparison.drifts(), "stopped");
         assertEquals(failed, sizes.series().stream().anyMatch(series -> series.mark() == Mark.FAILURES));
         return sizes.series().stream().filter(series -> series.mark().isCurve()).map(Series::end).toList();
     }
@@ -117,7 +117,7 @@ class DriftKindTest {
     /** The linear chart ends at 10 %, and has percent as the other one. */
     @Test
     void smallErrorsAreDrawnAsLongAsTheyAreSmall() {
-        Chart small = DriftCharts.small(new Comparison("Scene", SCALE, false, false, List.of(drift("midpoint",
+        Chart small = DriftCharts.small(new Comparison("Scene", SCALE, List.of(drift("midpoint",
                 t -> 1.4e-3 * t, 0))));
         double[] percent = small.series().get(0).y();
         assertEquals(10, percent[percent.length - 1], 0.03);

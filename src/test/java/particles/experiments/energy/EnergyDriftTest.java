@@ -8,12 +8,9 @@ import static particles.Texts.assertHas;
 import java.util.List;
 import java.util.NoSuchElementException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
-import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
 import particles.scene.SceneBuilder;
@@ -28,13 +25,13 @@ class EnergyDriftTest {
         return SPIRAL.withSolver("euler").withDeltaT(deltaT).withDuration(duration);
     }
 
-    private static Comparison compare(SceneDescription scene, String solvers, boolean equalWork) {
-        return EnergyDrift.compare(scene, SolverChoice.list(solvers), equalWork, (part, what) -> { });
+    private static Comparison compare(SceneDescription scene, String solvers) {
+        return EnergyDrift.compare(scene, SolverChoice.list(solvers), (part, what) -> { });
     }
 
     @Test
     void endDriftIsThatOfTheStabilityFunction() {
-        Comparison comparison = compare(spring(0.125, 25), "euler, midpoint, rk4, backward-euler", false);
+        Comparison comparison = compare(spring(0.125, 25), "euler, midpoint, rk4, backward-euler");
         assertEquals(0.5, comparison.scale(), 1e-6);                // the energy at the start, by a run to 1e-9
         for (Drift drift : comparison.drifts()) {
             double amplitude = StabilityPolynomial.of(drift.setting().solver().info().orElseThrow(), 0.125)
@@ -48,17 +45,17 @@ class EnergyDriftTest {
     /** Midpoint gains h^4/4 of the energy in a step: h^3/4 a second, and the exponential makes it a little more. */
     @Test
     void slopeOfASmallDriftIsTheGainASecond() {
-        Drift drift = compare(spring(0.05, 25), "midpoint", false).drifts().get(0);
+        Drift drift = compare(spring(0.05, 25), "midpoint").drifts().get(0);
         assertEquals(1, drift.slope() / (0.05 * 0.05 * 0.05 / 4), 0.001);       // measured 1.0008
     }
 
     @Test
     void symplecticErrorsAreBoundedByTheStep() {
-        for (Drift drift : compare(spring(0.125, 100), "symplectic-euler, verlet, yoshida4", false).drifts()) {
+        for (Drift drift : compare(spring(0.125, 100), "symplectic-euler, verlet, yoshida4").drifts()) {
             assertEquals(Kind.BOUNDED, drift.kind(), drift.setting().solver().name());
         }
         // of symplectic Euler E + h x v / 2 is constant: the error is at most h/4 of the scale 1/2
-        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler", false).drifts().get(0).largest(),
+        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler").drifts().get(0).largest(),
                 0.005);
     }
 
@@ -66,7 +63,7 @@ class EnergyDriftTest {
     @Test
     void aBlowUpEndsWhenARunEndsIt() {
         SceneDescription chain = TestScenes.named("16-soft-chain");
-        Drift drift = compare(chain, "euler", false).drifts().get(0);
+        Drift drift = compare(chain, "euler").drifts().get(0);
         assertEquals(Kind.FAILED, drift.kind());
         assertEquals(26, drift.outcome().steps());
         assertEquals(drift.outcome().endTime(), drift.time()[drift.time().length - 1]);
@@ -78,7 +75,7 @@ class EnergyDriftTest {
     /** Euler's steps are stable, but add more energy than the spring ever has. */
     @Test
     void aRunThatComesToItsEndDoesNotStop() {
-        Drift drift = compare(TestScenes.named("03").withDeltaT(0.0125), "euler", false).drifts().get(0);
+        Drift drift = compare(TestScenes.named("03").withDeltaT(0.0125), "euler").drifts().get(0);
         assertTrue(drift.outcome().whole() && drift.outcome().failure().isPresent());
         assertEquals(Kind.EXCHANGING, drift.kind());
     }
@@ -92,7 +89,7 @@ class EnergyDriftTest {
     void bouncesArePhysicsAndNoDrift() {
         SceneDescription ball = TestScenes.named("06-bouncing-ball");
         Comparison comparison = compare(ball.withSolver("rk4").withDeltaT(0.002).withDuration(1.5),
-                "rk4, verlet, symplectic-euler", false);
+                "rk4, verlet, symplectic-euler");
         for (Drift drift : comparison.drifts().subList(0, 2)) {
             assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
             assertTrue(drift.largest() < 2e-13, "measured 2.2e-14, now " + drift.largest());
@@ -109,30 +106,13 @@ class EnergyDriftTest {
     void birthsAndDeathsArePhysicsAndNoDrift() {
         SceneDescription fountain = TestScenes.named("27-fountain");
         Comparison comparison = compare(fountain.withSolver("rk4").withDeltaT(0.01).withDuration(2),
-                "rk4, backward-euler", false);
+                "rk4, backward-euler");
         assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
                 + comparison.drifts().get(0).largest());
         // backward Euler takes m g^2 h^2 / 2 from a falling drop in a step of h; 150 births a second divide every two
         // steps of 0.01 s into 1/150, 1/300, 1/300 and 1/150 s; after t there are 150 t drops. Measured -0.7956 J
         double perSecond = 0.01 * 9.81 * 9.81 / 2 * 2 * (1 / 22_500.0 + 1 / 90_000.0) / 0.02;
         assertEquals(-perSecond * 150 * 2 * 2 / 2, comparison.drifts().get(1).end() * comparison.scale(), 0.01);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"euler", "midpoint", "adams", "verlet", "yoshida4", "backward-euler"})
-    void equalWorkIsEqualToWithinAStep(String solver) {
-        SceneDescription scene = spring(0.1, 20);
-        EqualWork.Match match = new EqualWork(scene, 800).find(SolverChoice.of(solver));
-        assertEquals(800, match.evaluations(), match.aStep());
-        EqualWork.Match again = new EqualWork(scene, 800).find(SolverChoice.of(solver));
-        assertEquals(match, again, "evaluations are the same in two runs");
-    }
-
-    @Test
-    void adaptiveSolversGetATolerance() {
-        EqualWork.Match match = new EqualWork(spring(0.1, 20), 1600).find(SolverChoice.of("dormand-prince"));
-        assertEquals(1600, match.evaluations(), 12);                // a sub-step is 6 evaluations
-        assertTrue(match.setting().tolerance().isPresent());
     }
 
     @Test

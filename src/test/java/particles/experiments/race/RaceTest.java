@@ -15,7 +15,7 @@ import particles.experiments.race.Race.FrameStates;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.runs.EqualWork;
-import particles.experiments.runs.EqualWork.Match;
+import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
@@ -40,46 +40,25 @@ class RaceTest {
     @Test
     void evaluationsDifferByLessThanAStep() {
         Result race = run(lasting(CHAIN, 3), "midpoint, rk4, adams, verlet, yoshida4, dormand-prince", 30, NOBODY);
-        assertEquals(300, race.shares().work());                             // 75 steps of rk4
-        assertEqualWork(race);
+        assertEquals(300, race.work());                             // 75 steps of rk4
+        assertEqualWork(race, 6);
         assertHas(RaceCharts.title(race), "equal work, 300 evaluations for the whole race");
     }
 
-    /** What Newton's method evaluates counts. Radau cannot do with the 300 of rk4 at the scene's step: all get 350. */
+    /** What Newton's method evaluates counts. Radau cannot do with the 300 of rk4 at the scene's step. */
     @Test
     void implicitSolversGetEqualWorkToo() {
         Result race = run(lasting(CHAIN, 3), "rk4, backward-euler, implicit-midpoint, radau", 30, NOBODY);
-        assertEqualWork(race);
-        assertEquals("radau", race.shares().slowest().orElseThrow().label());
-        double midpoint = race.lanes().get(2).match().aStep();
-        assertTrue(midpoint > 5 && midpoint < 8, "evaluations per step: measured 5.8, now " + midpoint);
-    }
-
-    /** With contacts, a shorter step may cost less: no solver raises the work of all by 0.4 % again and again. */
-    @Test
-    void aCostThatJumpsIsNoReasonToSearchAgain() {
-        List<String> searches = new ArrayList<>();
-        SceneDescription marbles = lasting(TestScenes.named("13-marbles-in-a-groove"), 2);
-        assertEquals(4000, EqualWork.ofFrames(marbles, 4000, 10).share(SolverChoice.list(
-                "euler, midpoint, rk4, symplectic-euler, verlet"), (part, what) -> searches.add(what)).work());
-        assertEquals(5, searches.size(), searches.toString());
-    }
-
-    /** Verlet's last kick does not converge in its first step: what this cost is not the cost of a billion steps. */
-    @Test
-    void aSolverThatFailsAtOnceHasItsShare() {
-        Result race = run(TestScenes.named("12").withDeltaT(0.01).withDuration(0.5), "verlet", 5, NOBODY);
-        assertEquals("until 0 s", RaceCharts.mean(race.lanes().get(0)));
-        assertEquals(200, race.lanes().get(0).match().evaluations(), 10);
+        assertEqualWork(race, 3);
+        Outcome radau = race.lanes().get(3).drift().outcome();
+        assertTrue(radau.whole() && radau.evaluations() > 300, "measured 350, now " + radau);
     }
 
     /** In longer steps its last kick does not converge, and the 101 evaluations of this failure fit any share. */
     @Test
     void aSolverTakesStepsThatItCanMake() {
-        Match verlet = EqualWork.ofFrames(lasting(TestScenes.named("09"), 0.1), 200, 10).share(SolverChoice.list(
-                "verlet"), (part, what) -> { }).matches().get(0);
-        assertTrue(verlet.whole(), verlet.toString());
-        assertEquals(0.002, verlet.setting().deltaT());
+        assertEquals(0.002, new EqualWork(lasting(TestScenes.named("09"), 0.1), 200, 10).find(SolverChoice.of("verlet"))
+                .deltaT());
     }
 
     /** Drops are born and die: the third of one run need not be the third of another. */
@@ -154,29 +133,18 @@ class RaceTest {
         }
         DataTable table = RaceCharts.table(race);
         assertEquals(left, cell(table, 0, "left the race at (s)"));
-        double step = euler.match().setting().deltaT();
-        assertEquals(left / step, (Long) cell(table, 0, "evaluations"), 1,
-                "evaluations until then, and not those of its share: " + euler.match().evaluations());
+        assertEquals(left / euler.drift().setting().deltaT(), (Long) cell(table, 0, "evaluations"), 1,
+                "evaluations until then, and not those of its share");
         assertHas(cell(table, 0, "what went wrong").toString(), "went where the reference never comes near");
     }
 
-    /** Bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */
-    @Test
-    void whoNeedsMoreEvaluationsSetsThoseOfAll() {
-        Result race = run(CHAIN.withSolver("rk4").withDeltaT(0.06).withDuration(12),
-                "midpoint, rk4, step-doubling, bulirsch-stoer, verlet", 240, NOBODY);
-        assertEquals("bulirsch-stoer", race.shares().slowest().orElseThrow().label());
-        assertTrue(race.shares().work() > 800, "now " + race.shares().work());
-        assertEqualWork(race);
-    }
-
-    /** What was measured is what ran, with all frames, and differs from the work of all by less than a step. */
-    private static void assertEqualWork(Result race) {
-        for (Lane lane : race.lanes()) {
+    /** All frames are there, and the evaluations of the first ones differ from the work of all by less than a step. */
+    private static void assertEqualWork(Result race, int first) {
+        for (Lane lane : race.lanes().subList(0, first)) {
             if (lane.left().isEmpty()) {
-                long evaluations = lane.drift().outcome().evaluations();
-                assertEquals(lane.match().evaluations(), evaluations, lane.label());
-                assertTrue(Math.abs(evaluations - race.shares().work()) < lane.match().aStep(), lane.label());
+                Outcome outcome = lane.drift().outcome();
+                assertEquals(race.work(), outcome.evaluations(), (double) outcome.evaluations() / outcome.steps(),
+                        lane.label());
                 assertEquals(race.times().length, lane.states().size(), lane.label());
             }
         }

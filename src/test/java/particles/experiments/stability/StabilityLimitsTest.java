@@ -95,7 +95,7 @@ class StabilityLimitsTest {
 
     @Test
     void theTableHasEverySolverAndSaysUnbounded() {
-        DataTable table = StabilityLimit.table(NOBODY);
+        DataTable table = StabilityLimit.table(SolverCatalog.all(), NOBODY);
         assertEquals(SolverCatalog.names(), table.rows().stream().map(row -> row.get(0)).toList());
         List<Object> verlet = table.rows().get(SolverCatalog.names().indexOf("verlet"));
         assertEquals(List.of("-", "-"), verlet.subList(1, 3), "it is tried on springs, not on the real axis");

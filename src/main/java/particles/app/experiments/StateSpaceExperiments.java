@@ -1,0 +1,91 @@
+package particles.app.experiments;
+
+import deSolvers.text.Digits;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import particles.app.experiments.Experiment.Run;
+import particles.experiments.lecture.LectureFigures;
+import particles.experiments.lecture.LectureFigures.Figure;
+import particles.experiments.lecture.LectureFigures.Result;
+import particles.experiments.phase.Coordinate;
+import particles.experiments.phase.PhasePortraits;
+import particles.experiments.phase.PhasePortraits.Portrait;
+import particles.experiments.phase.PhasePortraits.Portraits;
+import particles.law.Particles;
+import particles.output.report.Picture;
+import particles.scene.SceneBuilder;
+import particles.scene.format.OutputDescription.Phase;
+import particles.scene.format.SceneDescription;
+import particles.view.Chart;
+import particles.view.Panel;
+import particles.view.Series;
+
+/** Plans of pictures of paths in state space. */
+final class StateSpaceExperiments {
+    private StateSpaceExperiments() {
+    }
+
+    static Run lectureFigures(DeclaredCommand asked) {
+        return (folder, progress) -> {
+            List<Result> results = progress.each(LectureFigures.ON_SLIDES, Figure::solver, LectureFigures::run);
+            Panel alone = Panel.phase("The vector field (v, \u2212x)", LectureFigures.exactChart(),
+                    Optional.of(LectureFigures.field(1.5))).answered("each solution is a circle");
+            List<Panel> panels = new ArrayList<>(List.of(alone));
+            List<Picture> pictures = new ArrayList<>(List.of(Picture.of("vector-field",
+                    "The vector field of x'' = -x, and the one solution through (1, 0).", alone).again()));
+            for (Result result : results) {
+                Figure figure = result.figure();
+                String step = Digits.exact(figure.deltaT());
+                Panel panel = Panel.phase(figure.solver() + ", deltaT = " + step + " s, " + figure.steps() + " steps",
+                        LectureFigures.chart(result), Optional.of(LectureFigures.field(LectureFigures.reach(result))))
+                        .answered(Digits.format("amplitude \u00d7 %.4g, phase %+.3g rad", result.amplitude(),
+                        result.phaseError()));
+                panels.add(panel);
+                pictures.add(Picture.of(figure.solver() + "-" + step + "s-" + figure.steps() + "-steps",
+                        panel.title() + ".", panel).again());
+            }
+            String title = "The slides' figures: x'' = \u2212x in state space";
+            pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
+                    title, panels));
+            return asked.page(title, List.of("""
+                    The oscillator x'' = -x from (1, 0): the exact solution is the dashed circle, clockwise in \
+                    2 pi s. N steps of h multiply the amplitude by |R(ih)|^N and run ahead of the exact phase by \
+                    N (arg R - h), where R is the method's stability function."""),
+                    pictures, List.of(LectureFigures.table(results)));
+        };
+    }
+
+    /** The particle and the axis are those of the scene's own phase plot. */
+    static Run phasePlots(DeclaredCommand asked) {
+        SceneDescription scene = asked.scene();
+        Optional<Phase> plot = scene.output().phase();
+        Particles all = SceneBuilder.build(scene).system().getParticles();
+        // without a plot, the last free one at the start; particles that are born later have no complete path
+        String particle = plot.map(Phase::particle).orElseGet(() -> all.id(all.free().max().orElseThrow(() -> asked
+                .wrong("scene", "at its start this scene has no free particle, so there is no path to draw"))));
+        return (folder, progress) -> {
+            Portraits portraits = PhasePortraits.compare(scene, asked.solvers(), particle,
+                    plot.map(phase -> Coordinate.values()[phase.axis()]), plot.flatMap(Phase::about), progress);
+            String step = ", deltaT = " + Digits.exact(scene.deltaT()) + " s";
+            String title = scene.title() + ": phase portraits" + step;
+            List<Chart> charts = portraits.portraits().stream().map(Portrait::chart).toList();
+            List<Series> scale = charts.stream().flatMap(chart -> chart.series().stream()).toList();
+            List<Panel> panels = IntStream.range(0, charts.size()).mapToObj(k -> {
+                Portrait portrait = portraits.portraits().get(k);
+                return Panel.phase(portrait.solver() + step, charts.get(k).scaledTo(scale), Optional.empty())
+                        .answered(portrait.answer()).named(charts.size() == 1 ? "" : portrait.solver());
+            }).toList();
+            String caption = (plot.flatMap(Phase::about).isPresent() ? "Angular velocity over angle."
+                    : "Velocity over position.") + " The pale band is the reference, dormand-prince with a tolerance of"
+                    + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
+            return asked.page(title, List.of("""
+                    A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral \
+                    outwards gains it, a spiral inwards loses it, and a path that ends away from the hollow mark, but \
+                    on the curve, has a wrong phase only. Distances off the curve are in halves of its width and \
+                    height."""), List.of(charts.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
+                    : Picture.panels("phase-plots", caption, title, panels)), List.of(portraits.table()));
+        };
+    }
+}
