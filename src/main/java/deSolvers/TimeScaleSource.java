@@ -18,4 +18,17 @@ public interface TimeScaleSource extends DEStateSource {
      * @return the time, positive (s); infinite if there is no such change
      */
     double getShortestTime(double[] state, double time);
+
+    /**
+     * Looks for a change of the derivative that begins and ends within a sub-step, and is small or absent at both of
+     * its ends.
+     *
+     * @param from      the state at the beginning; n long, to be read only
+     * @param beginning its time (s)
+     * @param to        the state at the end; n long, to be read only
+     * @param end       its time (s)
+     * @return the duration of a sub-step from the same beginning that does not miss the change (s, positive); infinite
+     *         if there is no such change
+     */
+    double findPassage(double[] from, double beginning, double[] to, double end);
 }

@@ -284,6 +284,14 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
                 : Math.min(anchored, forces.getShortestTime(anchors.shownIn(state, time), time));
     }
 
+    /** {@inheritDoc} Such a change is a passage through the reach of a force. */
+    @Override
+    public double findPassage(double[] from, double beginning, double[] to, double end) {
+        return !forces.hasBriefForces() ? Double.POSITIVE_INFINITY
+                : forces.findPassage(anchors.shownInBeginning(from, beginning), anchors.shownIn(to, end),
+                end - beginning);
+    }
+
     @Override
     public boolean hasExactJacobian() {
         return forces.hasDerivatives();

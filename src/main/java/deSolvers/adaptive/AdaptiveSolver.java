@@ -218,8 +218,9 @@ public abstract class AdaptiveSolver extends DESolver {
                 slopeKnown = true;
             }
             double error = attempt(source, state, slope, direction * done, direction * h, newState);
-            if (error <= 1 && h > resolution && h > shortestTime(source, newState, direction * (done + h))) {
-                subStep = h / 2;                        // it may have passed what it did not see
+            double longest = error <= 1 && h > resolution ? longest(source, direction * done, direction * h) : h;
+            if (longest < h) {                          // it passed, or may have passed, what it did not see
+                subStep = longest;
                 rejected = true;
                 continue;
             }
@@ -248,6 +249,16 @@ public abstract class AdaptiveSolver extends DESolver {
     private static double shortestTime(StepTransaction source, double[] state, double offset) {
         return source.getClient() instanceof TimeScaleSource client
                 ? client.getShortestTime(state, source.getStartTime() + offset) : Double.POSITIVE_INFINITY;
+    }
+
+    /** The longest sub-step (s) that misses no change of the derivative, at most h; h is within the tolerance. */
+    private double longest(StepTransaction source, double offset, double h) {
+        if (Math.abs(h) > shortestTime(source, newState, offset + h)) {
+            return Math.abs(h) / 2;
+        }
+        double begin = source.getStartTime() + offset;
+        return source.getClient() instanceof TimeScaleSource client
+                ? Math.min(client.findPassage(state, begin, newState, begin + h), Math.abs(h)) : Math.abs(h);
     }
 
     /** Makes the new state the current one. */

@@ -1,6 +1,5 @@
 package particles.effects;
 
-import java.util.Arrays;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.spec.Key;
@@ -21,10 +20,8 @@ import particles.spec.Values;
  * <p>Neighbours come from {@link NeighbourLists}, so that the work is proportional to their number. Source: the idea,
  * B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse powers replaced by powers of u.
  */
-public final class Cohesion extends PairForce {
-    private final NeighbourLists lists = new NeighbourLists(true);
+public final class Cohesion extends ShortRangeForce {
     private final double range;
-    private double[] radii = {};                        // half the range, for each particle
     private final double inverseSquare;                 // 1/h^2
     private final double depth;
     private final double damping;
@@ -39,7 +36,7 @@ public final class Cohesion extends PairForce {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
-        super(particles, damping > 0);
+        super(particles, damping > 0, true, range / 2);
         if (!(distance > 0 && distance < range && range <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than"
                     + " its range, not "
@@ -60,24 +57,13 @@ public final class Cohesion extends PairForce {
 
     @Override
     void findNeighbours(double[] state) {
-        int n = particles.count();
-        if (radii.length < n) {
-            radii = new double[n + n / 3];
-            Arrays.fill(radii, range / 2);
-        }
-        lists.update(state, particles, radii, range / 2);
+        super.findNeighbours(state);
         lists.sortByCubes(state, range);
-        near = lists.near;
     }
 
     @Override
     int first(int i, boolean all) {
         return lists.later[i];
-    }
-
-    @Override
-    int end(int i) {
-        return lists.start[i + 1];
     }
 
     private double u(double square) {
@@ -87,11 +73,6 @@ public final class Cohesion extends PairForce {
     @Override
     boolean reaches(int i, int j, double square) {
         return u(square) > 0;
-    }
-
-    @Override
-    public double getShortestTime(double[] state, double time) {
-        return timeThrough(range, state);
     }
 
     @Override

@@ -74,24 +74,6 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
         return damped;
     }
 
-    /**
-     * The shortest time (s) to cross a particle's reach (m), at the largest relative speed that the velocities allow:
-     * the diagonal of the box that holds them.
-     */
-    final double timeThrough(double reach, double[] state) {
-        double square = 0;
-        for (int c = 3; c < STRIDE; c++) {
-            double least = Double.POSITIVE_INFINITY;
-            double most = Double.NEGATIVE_INFINITY;
-            for (int v = c; v < STRIDE * particles.count(); v += STRIDE) {
-                least = Math.min(least, state[v]);
-                most = Math.max(most, state[v]);
-            }
-            square += particles.count() < 2 ? 0 : (most - least) * (most - least);
-        }
-        return square > 0 ? 2 * reach / Math.sqrt(square) : Double.POSITIVE_INFINITY;
-    }
-
     /** Finds a particle, from this index on, at the place of another; pairs of fixed ones do not count. */
     final Optional<String> findAtOnePlace(double[] state, int first) {
         Map<Vector3, Integer> places = new HashMap<>();

@@ -7,6 +7,7 @@ import particles.law.BriefForce;
 import particles.law.CentralForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
+import particles.law.Passage;
 import particles.law.PerParticleEffect;
 import particles.law.Plane;
 import particles.law.Require;
@@ -46,6 +47,17 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect, B
     private final double[] turning = new double[3];
     private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
+    private final Passage passage = new Passage() {
+        @Override
+        protected double depth(double[] s) {
+            return Penalty.this.depth(s, 0, length(s, 0));
+        }
+
+        @Override
+        protected double sinking(double[] s) {
+            return -normalSpeed(s, 0);
+        }
+    };
 
     /**
      * @param particles the particles on which it acts
@@ -148,6 +160,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect, B
             }
         }
         return shortest;
+    }
+
+    @Override
+    public double findPassage(double[] from, double[] to, double duration) {
+        return passage.find(particles, from, to, duration);
     }
 
     @Override

@@ -1,6 +1,5 @@
 package particles.effects;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.law.CentralForce;
@@ -36,16 +35,12 @@ import particles.spec.Values;
  * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979); of the damping, K.
  * Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
  */
-public final class Repulsion extends PairForce implements DivisibleEffect, CentralForce {
+public final class Repulsion extends ShortRangeForce implements DivisibleEffect, CentralForce {
     private static final int PARTICLES_PER_BLOCK = 64;
 
     private final boolean hertz;
     private final double stiffness;
     private final double loss;
-    private final double radius;
-    private final NeighbourLists lists = new NeighbourLists(false);
-    private double largest;
-    private double[] radii = {};
 
     /**
      * @param particles the particles that are balls
@@ -56,31 +51,15 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Repulsion(Particles particles, double radius, boolean hertz, double stiffness, double loss) {
-        super(particles, loss > 0);
+        super(particles, loss > 0, false, Require.positive("a ball's radius", radius));
         this.loss = Require.notNegative("repulsion's loss", loss);
-        this.radius = requireRadius(radius);
         this.hertz = hertz;
         this.stiffness = Require.positive("repulsion's stiffness", stiffness);
     }
 
-    private double requireRadius(double radius) {
-        largest = Math.max(largest, Require.positive("a ball's radius", radius));
-        return radius;
-    }
-
     /** Gives a particle a radius of its own (m), positive. */
     public void setRadius(int particle, double own) {
-        fit(Math.max(particle + 1, radii.length));
-        radii[particle] = requireRadius(own);
-        lists.forget();
-    }
-
-    private void fit(int count) {
-        int before = radii.length;
-        if (before < count) {
-            radii = Arrays.copyOf(radii, count + count / 3);
-            Arrays.fill(radii, before, radii.length, radius);
-        }
+        put(particle, Require.positive("a ball's radius", own));
     }
 
     @Override
@@ -94,20 +73,8 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     }
 
     @Override
-    void findNeighbours(double[] state) {
-        fit(particles.count());
-        lists.update(state, particles, radii, largest);
-        near = lists.near;
-    }
-
-    @Override
     int first(int i, boolean all) {
         return all ? lists.start[i] : lists.later[i];
-    }
-
-    @Override
-    int end(int i) {
-        return lists.start[i + 1];
     }
 
     @Override
@@ -136,16 +103,6 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     boolean reaches(int i, int j, double square) {
         double touching = radii[i] + radii[j];
         return square < touching * touching && square > 0;
-    }
-
-    @Override
-    public double getShortestTime(double[] state, double time) {
-        fit(particles.count());
-        double least = radius;
-        for (int i = 0; i < particles.count(); i++) {
-            least = Math.min(least, radii[i]);
-        }
-        return timeThrough(2 * least, state);
     }
 
     @Override
@@ -182,20 +139,6 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     double byParting(int i, int j, double square, double parting) {
         double length = Math.sqrt(square);
         return loss * parting < length ? -loss * elastic(radii[i] + radii[j] - length) / square : 0;
-    }
-
-    @Override
-    public void reindex(int[] newIndex) {
-        fit(newIndex.length);
-        int left = 0;
-        for (int i = 0; i < newIndex.length; i++) {
-            if (newIndex[i] >= 0) {
-                radii[newIndex[i]] = radii[i];
-                left++;
-            }
-        }
-        Arrays.fill(radii, left, radii.length, radius);
-        lists.forget();
     }
 
     @Override

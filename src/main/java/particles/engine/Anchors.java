@@ -15,6 +15,7 @@ public final class Anchors {
     private Anchor[] anchors = {};                      // loops over a list would allocate
     private final double[] values = new double[9];
     private double[] shown = {};
+    private double[] beginning = {};
     private double[] hidden = {};
 
     private record Anchor(int particle, AnchorMotion motion) {
@@ -54,6 +55,16 @@ public final class Anchors {
         shown = copy(state, shown);
         put(time, shown);
         return shown;
+    }
+
+    /** As {@link #shownIn}, in an array of its own, for the beginning of a sub-step. */
+    public double[] shownInBeginning(double[] state, double time) {
+        if (anchors.length == 0) {
+            return state;
+        }
+        beginning = copy(state, beginning);
+        put(time, beginning);
+        return beginning;
     }
 
     /**

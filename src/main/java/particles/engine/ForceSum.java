@@ -163,6 +163,15 @@ public final class ForceSum {
         return shortest;
     }
 
+    /** The duration of a sub-step that does not miss the first passage through any force's reach (s). */
+    public double findPassage(double[] from, double[] to, double duration) {
+        double first = Double.POSITIVE_INFINITY;
+        for (BriefForce effect : brief) {
+            first = Math.min(first, effect.findPassage(from, to, duration));
+        }
+        return first;
+    }
+
     /** @return whether any effect or reaction depends on velocities */
     public boolean dependOnVelocity() {
         for (Effect effect : effects) {

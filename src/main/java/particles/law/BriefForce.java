@@ -16,4 +16,18 @@ public interface BriefForce extends Effect {
      * @return the time, positive (s); infinite if nothing moves
      */
     double getShortestTime(double[] state, double time);
+
+    /**
+     * Looks for a passage through the reach of the force that is felt at neither end of a sub-step: one that grazes it,
+     * and is shorter than {@link #getShortestTime} says.
+     *
+     * @param from     the particles' state at the beginning; read only
+     * @param to       the state at the end; read only
+     * @param duration the duration (s); negative if the sub-step goes backwards in time
+     * @return the duration of a sub-step that does not miss the passage, see {@link Passage} (s, positive); infinite if
+     *         there is none, and by default
+     */
+    default double findPassage(double[] from, double[] to, double duration) {
+        return Double.POSITIVE_INFINITY;
+    }
 }
