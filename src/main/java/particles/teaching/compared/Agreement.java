@@ -23,8 +23,7 @@ public final class Agreement {
     public static final double PRINTED = 5e-9;
     /** Float numbers leave 1e-8. */
     private static final double FLOAT = 5e-7;
-    public static final double H = 0.1;
-    private static final List<Double> LENGTHS = List.of(H, 2.5 * H);
+    private static final List<Double> LENGTHS = List.of(0.1, 0.25);
     private static final List<Supplier<StudentSource>> SOURCES = List.of(() -> off(new WindyOscillators(2)),
             Bodies::new, () -> off(WindyOscillators.withDrag()));
 
@@ -96,20 +95,17 @@ public final class Agreement {
                 .comparingDouble(Match::distance));
     }
 
-    /** @return the distance from a method's step of {@link #H} */
-    public double distance(Scheme scheme) {
-        return distance(made.get(0), scheme);
-    }
-
     /**
      * @param methods the methods in which it may be
      * @param read    the solver's weights, if they could be read
-     * @return the typical mistake that makes the solver's steps
+     * @return the typical mistake that makes the solver's steps, if it is one of one method only
      */
     public Optional<Cause> mistake(Stream<Method> methods, Optional<Scheme> read) {
-        return methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(Mistake.values())
+        List<Cause> causes = methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(Mistake.values())
                 .flatMap(mistake -> mistake.steps(scheme).filter(step -> (!(step instanceof Scheme) || read.filter(
                 own -> own.size() == scheme.size()).isPresent()) && distance(scheme, step) < PRINTED).map(step ->
-                new Cause(method, scheme, mistake, step))))).findFirst();
+                new Cause(method, scheme, mistake, step))))).toList();
+        return causes.stream().findFirst().filter(first -> causes.stream().allMatch(one -> one.method
+                == first.method));
     }
 }

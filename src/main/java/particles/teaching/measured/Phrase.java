@@ -29,8 +29,8 @@ public enum Phrase {
     FALL(Kind.METHOD, "with a constant acceleration, from rest, after step %s of deltaT = %s s a particle with a = %s"
             + " m/s^2 along %s has the velocity %s a deltaT, and exactly %s a deltaT; its position is %s a deltaT^2,"
             + " and exactly %s a deltaT^2"),
-    UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: what is added"
-            + " to it has another unit, as a velocity where an acceleration is meant, or deltaT once too often"),
+    UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: numbers of"
+            + " unlike units are added up, such as an acceleration and a velocity"),
     SEVEN_DIGITS(Kind.STATE, "digits get lost: this is %s, but its step is off by %s, as with float numbers;"
             + " all have to be double"),
     // the formula
@@ -41,13 +41,13 @@ public enum Phrase {
     OTHER_TIME(Kind.TIME, "%s; the measured order is %s"),
     EARLY_OR_LATE(Kind.STYLE, "%s; the measured order is %s all the same"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
-    NOT_THE_METHOD(Kind.NAME, "its step is not that of %s: it is off by %s after a step of %s s"),
+    NOT_THE_METHOD(Kind.METHOD, "its step is not that of %s"),
     EXPLICIT(Kind.NAME, "it is explicit (evaluations per step: %s): nothing is solved, as in %s"),
     EQUATION(Kind.METHOD, "the equation of %s is off by %s after a step of deltaT = %s s: it is not solved, or"
             + " another one is"),
     NOTHING_EARLIER(Kind.NAME, "%s uses earlier steps; each step of this solver is the one that a new solver makes"),
     NO_CONTROL(Kind.NAME, "where the first particle stands still and another moves, a step of 4 s moves the clock"
-            + " to %s times and one of 1/4 s to %s: long steps are not divided, so there is no step-size control"),
+            + " to %s times and one of 1/4 s to %s: there is no step-size control"),
     // measured
     NO_CONVERGENCE(Kind.METHOD, "the error does not go to 0 with deltaT%s: it is still %s with deltaT = %s s"),
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),
@@ -63,8 +63,7 @@ public enum Phrase {
             + " that of a new solver: something of earlier steps is kept"),
     BACK(Kind.STATE, "after a step of %s s and one back the state is off by %s and the clock by %s s, and the step"
             + " alone is off by %s: deltaT is negative in a step back"),
-    SWALLOWS(Kind.STATE, "the source threw an exception, and stepState returned as if nothing had happened: do not"
-            + " catch it, so that the caller learns of it"),
+    SWALLOWS(Kind.STATE, "an exception of the source does not reach the caller: do not catch it"),
     NAN(Kind.STATE, "where the derivative is NaN, %s: after a blow-up, nobody learns of it"),
     NOTHING_BACK(Kind.STYLE, "a step of negative deltaT does nothing, and says nothing"),
     ONLY_PARTICLES(Kind.STYLE, "it steps particles, six numbers each, and no source of two numbers: %s");

@@ -40,7 +40,10 @@ public final class SolverCheck {
     private final Control control;
     private final List<Finding> notes = new ArrayList<>();
     private String identity = UNKNOWN;
+    private Optional<Match> match = Optional.empty();
     private Optional<Method> known = Optional.empty();
+    private Optional<Scheme> read = Optional.empty();
+    private boolean remembers;
     private boolean multistep;
     private Orders orders;
 
@@ -92,8 +95,10 @@ public final class SolverCheck {
 
     private List<Finding> judge() {
         SolverMemory memory = new SolverMemory(maker, control.makesSubSteps());
-        Optional<Finding> wrong = first(contract::clock, contract::entries, contract::alike).or(() -> ofFormula(
-                memory.remembers()));
+        Optional<Finding> wrong = first(contract::clock, contract::entries, contract::alike).or(() -> {
+            remembers = memory.remembers();
+            return ofFormula();
+        });
         return wrong.isPresent() ? List.of(wrong.get()) : Stream.concat(memory.mistake().stream(), contract.conduct()
                 .stream()).toList();
     }
@@ -113,23 +118,21 @@ public final class SolverCheck {
         return declared.map(Declaration::method);
     }
 
-    private Optional<Finding> ofFormula(boolean remembers) {
+    private Optional<Finding> ofFormula() {
         Agreement agreement = new Agreement(maker);
         Optional<Scheme> own = Reading.of(maker).filter(scheme -> !remembers);
-        Optional<Match> match = agreement.known(own).filter(one -> !remembers);
+        match = agreement.known(own).filter(one -> !remembers);
         Fit fit = Fit.of(maker, remembers);
         known = match.map(Match::method).or(fit::known);
         multistep = remembers && (known.isPresent() || contract.evaluations(SHORT) == contract.evaluations(8));
         Optional<Method> kind = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep));
         kind.ifPresent(method -> identity = "This is " + method.title() + ".");
         boolean isOther = known.isPresent() || remembers;
-        Optional<Scheme> read = own.filter(scheme -> match.isPresent() || !isOther);    // not rounds of an iteration
-        Optional<Finding> wrong = measured(match, fit, read, remembers);
+        read = own.filter(scheme -> match.isPresent() || !isOther);     // not rounds of an iteration
+        Optional<Finding> wrong = measured(fit);
         Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects(), read);
-        return wrong.isPresent() ? cause.map(SolverCheck::named).or(() -> wrong.map(finding -> compared(finding,
-                read, match))) : cause.filter(this::isMeant).map(SolverCheck::named).or(() -> declared.filter(one ->
-                one.asked() && !isOther && !one.method().schemes().isEmpty()).map(one -> Phrase.NOT_THE_METHOD.of(one
-                .method().title(), agreement.distance(one.method().schemes().get(0)), Agreement.H)));
+        return cause.filter(one -> wrong.isPresent() || isMeant(one)).map(SolverCheck::named).or(() -> wrong.map(
+                this::compared));
     }
 
     /** The methods of which it may be a mistake: the declared one, or those with as many evaluations, then others. */
@@ -147,45 +150,40 @@ public final class SolverCheck {
     }
 
     /** What is wrong, as measured; empty for a right one. */
-    private Optional<Finding> measured(Optional<Match> match, Fit fit, Optional<Scheme> read, boolean remembers) {
+    private Optional<Finding> measured(Fit fit) {
         Optional<Declaration> alone = declared.filter(Declaration::alone);
         Optional<Method> implicit = alone.map(Declaration::method).filter(method -> method.isImplicit()
                 && known.isEmpty() && !remembers);
         return first(
-                () -> contradicts(known.filter(method -> declared.filter(one -> !one.allows(method)).isPresent())),
+                () -> known.flatMap(method -> declared.filter(one -> !one.allows(method)).map(one ->
+                        Phrase.CONTRADICTS.of(method.title(), one.method().title()))),
                 () -> match.filter(one -> one.distance() > Agreement.PRINTED).map(one -> Phrase.SEVEN_DIGITS.of(
                         one.method().title(), one.distance())),
                 () -> FreeFall.mistake(maker, remembers ? STEPS : 1),
                 () -> Units.mistake(maker),
-                () -> implicit.flatMap(method -> solved(method, fit, read)),
-                () -> ordered(read, remembers),
-                () -> read.flatMap(this::inTime),
+                () -> implicit.flatMap(method -> solved(method, fit)),
+                this::ordered,
+                this::inTime,
                 this::controlled,
                 () -> implicit.flatMap(method -> control.unstable()),
                 () -> alone.filter(one -> !remembers && one.method().usesEarlier()).map(one ->
                         Phrase.NOTHING_EARLIER.of(one.method().title())),
-                () -> contradicts(Optional.of(Method.MULTISTEP).filter(method -> multistep && !known.equals(method())
-                        && declared.filter(one -> one.asked() && one.method() != method).isPresent())));
-    }
-
-    /** It is this method, and not the declared one. */
-    private Optional<Finding> contradicts(Optional<Method> other) {
-        return other.map(method -> Phrase.CONTRADICTS.of(method.title(), method().orElseThrow().title()));
+                () -> method().filter(method -> declared.get().asked() && known.isEmpty() && (multistep || !method
+                        .schemes().isEmpty()) && method != Method.MULTISTEP).map(method -> Phrase.NOT_THE_METHOD.of(
+                        method.title())));
     }
 
     /** An evaluation at another time than that of its state is a mistake if it lowers the order, or leaves it at 1. */
-    private Optional<Finding> inTime(Scheme own) {
-        Scheme read = Reading.used(own);
-        boolean lowers = orders.lowersWithClock() || declared.isEmpty() && orders.order() < LOW && Arrays.stream(read
-                .times()).distinct().count() > 1;
-        Optional<Finding> other = read.astray().map(where -> (lowers ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(
-                where, orders.digits()));
+    private Optional<Finding> inTime() {
+        Optional<Finding> other = read.map(Reading::used).flatMap(own -> own.astray().map(where -> (
+                orders.lowersWithClock() || declared.isEmpty() && orders.order() < LOW && Arrays.stream(own.times())
+                .distinct().count() > 1 ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(where, orders.digits())));
         other.filter(finding -> !finding.isWrong()).ifPresent(notes::add);
         return other.filter(Finding::isWrong);
     }
 
     /** An implicit method solves its equation. */
-    private static Optional<Finding> solved(Method method, Fit fit, Optional<Scheme> read) {
+    private Optional<Finding> solved(Method method, Fit fit) {
         return read.map(scheme -> Phrase.EXPLICIT.of(scheme.size(), method.title())).or(() -> method.equation().map(
                 equation -> Phrase.EQUATION.of(method.title(), fit.residual(method), Fit.H)));
     }
@@ -197,7 +195,7 @@ public final class SolverCheck {
     }
 
     /** Measures the orders, and says what an unknown method is. */
-    private Optional<Finding> ordered(Optional<Scheme> read, boolean remembers) {
+    private Optional<Finding> ordered() {
         orders = Orders.of(maker);
         if (known.isEmpty() && !multistep) {
             identity = "This is a method" + orders.whole().map(whole -> " of order " + whole).orElse("") + (remembers
@@ -223,7 +221,7 @@ public final class SolverCheck {
     }
 
     /** Says where the step leaves the method's, or the time, in numbers. */
-    private Finding compared(Finding finding, Optional<Scheme> read, Optional<Match> match) {
+    private Finding compared(Finding finding) {
         if (read.isEmpty() || finding.kind() != Kind.METHOD) {
             return finding;
         }
