@@ -174,10 +174,9 @@ public final class SweepCommand extends ExperimentCommand {
     private List<Row> compute(ProgressListener progress) {
         List<List<String>> points = grid.get().part(part.get(0), part.get(1));
         String name = rowsName();
-        Map<List<String>, Row> known = RowFile.read(getFolder(), name, grid.get(), measures.get());
+        Map<List<String>, Row> known = RowFile.read(getFolder(), name, grid.get().axes().size());
         String mine = name + (part.get(1) == 1 ? "" : "-" + part.get(0) + "of" + part.get(1)) + ".csv";
-        try (RowFile rows = RowFile.open(getFolder().resolve(mine), grid.get(), measures.get(),
-                points.stream().filter(known::containsKey).map(known::get).toList())) {
+        try (RowFile rows = RowFile.open(getFolder().resolve(mine))) {
             return progress.onAllCores(points, point -> String.join(", ", point), point -> {
                 if (known.containsKey(point)) {
                     return known.get(point);
@@ -190,7 +189,7 @@ public final class SweepCommand extends ExperimentCommand {
     }
 
     private List<Row> collected(Path folder) {
-        Map<List<String>, Row> known = RowFile.read(folder, rowsName(), grid.get(), measures.get());
+        Map<List<String>, Row> known = RowFile.read(folder, rowsName(), grid.get().axes().size());
         List<List<String>> points = grid.get().points();
         List<List<String>> missing = points.stream().filter(point -> !known.containsKey(point)).toList();
         if (!missing.isEmpty()) {

@@ -4,9 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.Look;
@@ -27,8 +25,6 @@ public final class StabilityMap {
     private final DoubleBinaryOperator modulus;
     private final Window window;
     private final boolean[][] grows;
-    /** An edge of the grid belongs to two squares. */
-    private final Map<List<Integer>, double[]> borders = new HashMap<>();
 
     /**
      * @param modulus  |R| at a point of the plane
@@ -68,7 +64,12 @@ public final class StabilityMap {
      * @return the outline |R| = 1, broken where it is in pieces
      */
     public Series outline(Look look, String name) {
-        List<double[][]> pieces = pieces();
+        List<double[][]> pieces = new ArrayList<>();
+        for (int r = 0; r + 1 < grows.length; r++) {
+            for (int c = 0; c + 1 < grows[r].length; c++) {
+                cross(r, c, pieces);
+            }
+        }
         List<double[]> line = new ArrayList<>();
         while (!pieces.isEmpty()) {
             draw(chain(pieces), line);
@@ -76,56 +77,35 @@ public final class StabilityMap {
         return Series.of(look, name, Mark.LINE, line);
     }
 
-    private List<double[][]> pieces() {
-        List<double[][]> pieces = new ArrayList<>();
-        for (int r = 0; r + 1 < grows.length; r++) {
-            for (int c = 0; c + 1 < grows[r].length; c++) {
-                cross(r, c, pieces);
-            }
-        }
-        return pieces;
-    }
-
     /**
      * @param look its look
      * @return the region where a step does not grow, as stripes from one side of the outline to the other
      */
     public Series filled(Look look) {
-        List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
-        double width = Math.min(window.cell(), window.top() / STRIPES);
-        for (int k = 0; (k + 0.5) * width < y(grows.length - 1); k++) {
-            double y = (k + 0.5) * width;
-            List<Double> ends = new ArrayList<>(isStableAtLeft(y) ? List.of(x(0)) : List.of());
-            pieces.stream().filter(p -> p[0][1] <= y != p[1][1] <= y).map(p -> p[0][0] + (y - p[0][1])
-                    / (p[1][1] - p[0][1]) * (p[1][0] - p[0][0])).sorted().forEach(ends::add);
-            if (ends.size() % 2 == 1) {
-                ends.add(x(grows[0].length - 1));
+        double height = Math.min(1, window.top() / STRIPES / window.cell());
+        int last = grows[0].length - 1;
+        for (double row = (1 + height) / 2; row < grows.length - 1; row += height) {
+            double[] start = {x(0), y(row)};
+            boolean grew = growsAt(0, row);
+            for (int c = 1; c <= last; c++) {
+                boolean grow = growsAt(c, row);
+                if (grow && !grew) {
+                    draw(List.of(start, border(c - 1, row, c, row)), line);
+                } else if (grew && !grow) {
+                    start = border(c, row, c - 1, row);
+                }
+                grew = grow;
             }
-            for (int i = 0; i < ends.size(); i += 2) {
-                draw(List.of(new double[] {ends.get(i), y}, new double[] {ends.get(i + 1), y}), line);
+            if (!grew) {
+                draw(List.of(start, new double[] {x(last), y(row)}), line);
             }
         }
         return Series.of(look, "stable", Mark.FILL, line);
     }
 
-    private boolean isStableAtLeft(double y) {
-        int r = Math.min((int) (y / window.cell() + 0.5), grows.length - 2);
-        boolean below = !grows[r][0];
-        boolean above = !grows[r + 1][0];
-        if (below == above) {
-            return below;
-        }
-        double[] border = below ? border(0, r, 0, r + 1) : border(0, r + 1, 0, r);
-        return border[1] <= y ? above : below;
-    }
-
-    /** Finds the point on the outline between a stable grid point and an unstable neighbour. */
-    private double[] border(int c, int r, int growingC, int growingR) {
-        return borders.computeIfAbsent(List.of(c, r, growingC, growingR), edge -> bisected(c, r, growingC, growingR));
-    }
-
-    private double[] bisected(int c, int r, int growingC, int growingR) {
+    /** Finds the point on the outline between a stable point and one where a step grows, by bisection. */
+    private double[] border(double c, double r, double growingC, double growingR) {
         double still = 0;
         double growing = 1;
         for (int halving = 0; halving < HALVINGS; halving++) {
