@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import particles.SimulationException;
 import particles.law.Particles;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
@@ -258,7 +259,10 @@ public final class BlockImpacts {
         Vector3[] impulses = new Vector3[rows.length];
         Arrays.fill(impulses, Vector3.ZERO);
         double[] slowness = new double[rows.length];
+        Skin[] skins = new Skin[rows.length];
         for (int r = 0; r < rows.length; r++) {
+            skins[r] = rows[r].kind == Kind.SURFACE
+                    ? contacts.getSliding().skin(rows[r].first, state, Vector3.at(rows[r].gradient, 0)) : Skin.SMOOTH;
             for (int k = 0; k < 2; k++) {
                 int i = rows[r].movable[k];
                 slowness[r] += i < 0 ? 0 : block.weight(i) * Arrays.stream(rows).filter(row -> row.moves(i)).count();
@@ -270,9 +274,8 @@ public final class BlockImpacts {
             change = 0;
             for (int r = 0; r < rows.length; r++) {
                 Vector3 wanted = impulses[r].minus(rows[r].slip(state).over(slowness[r]));
-                double most = rows[r].bounce.friction() * rows[r].force;
-                double size = wanted.length();
-                more[r] = (size > most ? wanted.times(most / size) : wanted).minus(impulses[r]);
+                more[r] = skins[r].balance(wanted.times(-1), rows[r].bounce.friction() * rows[r].force).times(-1)
+                        .minus(impulses[r]);
                 change = Math.max(change, slowness[r] * more[r].length());
             }
             for (int r = 0; r < rows.length; r++) {

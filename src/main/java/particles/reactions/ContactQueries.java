@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
 import particles.reactions.Row.Kind;
 
@@ -142,15 +143,20 @@ public final class ContactQueries {
         return moves ? -1 : forcesAtRest(block, state, force).margin(particle);
     }
 
+    /** The skin of a particle on one surface. */
+    Skin skin(int i, double[] state, Vector3 normal) {
+        return contacts.getSliding().skin(i, state, normal);
+    }
+
     /** The margin of a particle under a known force: of its contacts' static friction over the force along them (N). */
     double marginAlone(int i, double[] state, double[] force) {
         int only = modes.only(i);
         if (only >= 0) {
             double push = pushAlone(only, i, state, force);
-            Vector3 left = Vector3.at(force, Particles.STRIDE * i + 3)
-                    .plus(contacts.getSurfaces().get(only).normal(state, i).times(push));
+            Vector3 normal = contacts.getSurfaces().get(only).normal(state, i);
+            Vector3 left = Vector3.at(force, Particles.STRIDE * i + 3).plus(normal.times(push));
             return push > 0 ? push * contacts.getSurfaces().get(only).friction().staticCoefficient()
-                    - Math.sqrt(left.dot(left)) : -1;
+                    - skin(i, state, normal).toHold(left) : -1;
         }
         Block alone = push(i, state, force);
         Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
@@ -161,7 +167,7 @@ public final class ContactQueries {
             withstood += row.force * row.surface.friction().staticCoefficient();
             rest = rest.plus(Vector3.at(row.gradient, 0).times(row.force));
         }
-        return pushed > 0 ? withstood - Math.sqrt(rest.dot(rest)) : -1;
+        return pushed > 0 ? withstood - contacts.getSliding().skin(i, state, alone.rows).toHold(rest) : -1;
     }
 
     /**
@@ -180,10 +186,14 @@ public final class ContactQueries {
         double slowing = -Vector3.at(force, Particles.STRIDE * i + 3).dot(velocity) / speed;
         int only = modes.only(i);
         if (only >= 0) {
-            slowing += contacts.getSurfaces().get(only).friction().ofCoulomb(pushAlone(only, i, state, force));
+            ContactSurface surface = contacts.getSurfaces().get(only);
+            slowing += surface.friction().ofCoulomb(pushAlone(only, i, state, force))
+                    * (skin(i, state, surface.normal(state, i)).stretch(velocity).length() / speed);
         } else {
-            for (Row row : push(i, state, force).rows) {
-                slowing += row.surface.friction().ofCoulomb(row.force);
+            Block alone = push(i, state, force);
+            double factor = contacts.getSliding().skin(i, state, alone.rows).stretch(velocity).length() / speed;
+            for (Row row : alone.rows) {
+                slowing += factor * row.surface.friction().ofCoulomb(row.force);
             }
         }
         return slowing > 0 ? system.getParticles().mass(i) * speed / slowing : Double.POSITIVE_INFINITY;

@@ -91,7 +91,9 @@ final class LoneContacts {
         ContactDerivative derivative = new ContactDerivative();
         for (int k = 0; k < count; k++) {
             int contact = k;
-            derivative.add(touching[k], contacts.curvature(touching[k], state),
+            int i = touching[k];
+            SlidingFriction sliding = contacts.getSliding();
+            derivative.add(i, sliding.neighbour(i), Math.max(contacts.curvature(i, state), sliding.turning(i, state)),
                     sum -> add(contact, state, time, sum), state, force, derivatives);
         }
     }

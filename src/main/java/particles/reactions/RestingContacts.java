@@ -10,6 +10,7 @@ import java.util.function.ToDoubleFunction;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Reaction;
+import particles.law.Scales;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.ContactModes.Mode;
@@ -80,6 +81,11 @@ public final class RestingContacts implements Reaction {
     /** @return the contact mode of each particle at each surface, which rules change */
     public ContactModes getModes() {
         return modes;
+    }
+
+    /** @param scales by particle; null for those that have none */
+    public void setScales(Scales... scales) {
+        sliding.setScales(scales);
     }
 
     /**
@@ -222,7 +228,7 @@ public final class RestingContacts implements Reaction {
             if (rubbing > 0) {
                 double speed = Vector3.at(state, STRIDE * i + 3).length();
                 double pull = Vector3.at(forces.get(), STRIDE * i + 3).length() / particles.mass(i);
-                stopping.set(i, speed <= STOPS * time * (1 + rubbing) * pull);
+                stopping.set(i, speed <= STOPS * time * (1 + rubbing * sliding.sharpness(i)) * pull);
             }
         }
         return stopping;
@@ -323,7 +329,7 @@ public final class RestingContacts implements Reaction {
     @Override
     public void reindex(int[] newIndex) {
         modes.reindex(newIndex);
-        sliding.forget();
+        sliding.reindex(newIndex);
     }
 
     /**

@@ -3,12 +3,14 @@ package particles.reactions;
 import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Scales;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
 import particles.reactions.Row.Kind;
 
 /**
  * The sliding friction of particles on surfaces: against the direction in which they slide, also if they are about to
- * start or have reversed within a step.
+ * start or have reversed within a step. {@link Scales} make it depend on the direction.
  */
 final class SlidingFriction {
     /** A normal within this angle of the plane of others (rad) is taken to lie in it. */
@@ -20,9 +22,75 @@ final class SlidingFriction {
 
     private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals of pushing surfaces
     private int surfaces;
+    private Scales[] scales = {};                       // by particle; null for those that have none
     private int step;                                   // its number
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
+
+    void setScales(Scales[] scales) {
+        this.scales = scales.clone();
+    }
+
+    /** Updates indices after particles were removed: one without its neighbour has no scales any more. */
+    void reindex(int[] newIndex) {
+        forget();
+        Scales[] before = scales;
+        scales = new Scales[before.length];
+        for (int i = 0; i < before.length; i++) {
+            Scales own = before[i];
+            if (own != null && newIndex[own.tail()] >= 0 && newIndex[own.head()] >= 0) {
+                scales[newIndex[i]] = new Scales(newIndex[own.tail()], newIndex[own.head()], own.forward(),
+                        own.backward(), own.across());
+            }
+        }
+    }
+
+    private boolean hasScales(int i) {
+        return i < scales.length && scales[i] != null;
+    }
+
+    /** The other particle on which the body's axis depends at a particle; -1 without scales. */
+    int neighbour(int i) {
+        return hasScales(i) ? scales[i].tail() + scales[i].head() - i : -1;
+    }
+
+    /** How fast the friction's direction turns as the particle or its neighbour moves (1/m); 0 without scales. */
+    double turning(int i, double[] state) {
+        double length = hasScales(i) ? scales[i].axis(state).length() : 0;
+        return length == 0 ? 0 : 1 / length;
+    }
+
+    /** How fast friction turns with the velocity, relative to that without scales. */
+    double sharpness(int i) {
+        return hasScales(i) ? scales[i].sharpness() : 1;
+    }
+
+    /** The skin of a particle on one surface. */
+    Skin skin(int i, double[] state, Vector3 normal) {
+        axes[0] = normal;
+        surfaces = 1;
+        return skin(i, state);
+    }
+
+    /** The skin of a particle along all surfaces that push it. */
+    Skin skin(int i, double[] state, Row... rows) {
+        surfaces = 0;
+        for (Row row : rows) {
+            if (row.force > 0) {
+                keepAlong(row);
+            }
+        }
+        return skin(i, state);
+    }
+
+    private Skin skin(int i, double[] state) {
+        if (!hasScales(i)) {
+            return Skin.SMOOTH;
+        }
+        double[] axis = new double[3];
+        scales[i].axis(state).put(axis, 0);
+        return scales[i].skin(Vector3.at(axis, 0).length(), along(axis, 0));
+    }
 
     /** Records the state at the beginning of a step. */
     void beginStep(ParticleSystem system) {
@@ -139,7 +207,8 @@ final class SlidingFriction {
         Friction law = row.surface.friction();
         double push = pushKnown && row.push > 0 ? row.push : 1;
         double share = all > 0 ? law.ofCoulomb(row.push) / all : 1;
-        Vector3 friction = find(law, push, share, force, state, Particles.STRIDE * row.first + 3);
+        Vector3 friction = find(law, skin(row.first, state), push, share, force, state,
+                Particles.STRIDE * row.first + 3);
         Vector3.at(row.pull, 0).minus(friction).put(row.pull, 0);
     }
 
@@ -169,7 +238,7 @@ final class SlidingFriction {
         if (isIndirect) {                               // against the force that moves it
             before.plus(normal.times(push)).put(force, v);
         }
-        Vector3 friction = find(law, isIndirect && push > 0 ? push : 1, 1, force, state, v);
+        Vector3 friction = find(law, skin(i, state), isIndirect && push > 0 ? push : 1, 1, force, state, v);
         Vector3 pull = normal.minus(friction);
         before.plus(pull.times(push)).put(force, v);
         Vector3 velocity = Vector3.at(state, v);
@@ -208,27 +277,31 @@ final class SlidingFriction {
      * as much of it as mu N. This does not depend on the present velocity, whose direction turns the faster the slower
      * it is, so that any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
+     * @param skin  stretches the velocity and the friction
      * @param push  the normal force (N)
      * @param share the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
      * @param force the force that would move the particle along the surface, without friction (N), from entry v on
      * @param v     the index of the particle's velocity in the state
      */
-    private Vector3 find(Friction law, double push, double share, double[] force, double[] state, int v) {
+    private Vector3 find(Friction law, Skin skin, double push, double share, double[] force, double[] state, int v) {
         double most = push * law.coefficient();
         if (law.law() == Friction.Law.SLIDE) {
-            return along(state, v).times(most / push);
+            return skin.stretch(along(state, v)).times(most / push);
         }
         boolean stops = mayStop(v / Particles.STRIDE);
         if (!stops && !startsFromRest(v / Particles.STRIDE)) {     // then the velocity is mostly round-off at first
-            Vector3 direction = followBeginning(along(state, v), v);
+            Vector3 direction = skin.stretch(followBeginning(along(state, v), v));
             double speed = length(direction);
             if (speed > 0) {
-                return direction.times(most / speed / push);
+                return skin.stretch(direction.times(most / speed / push));
             }
         }
         Vector3 needed = along(force, v);
         if (stops) {
             needed = needed.plus(along(stepBegin, v).times(stopping[v / Particles.STRIDE]));
+        }
+        if (skin != Skin.SMOOTH) {
+            return skin.balance(needed.times(share), most).over(push);
         }
         double size = length(needed);                   // if it is about to move: against the force that will move it
         return needed.times((share * size <= most ? share : most / size) / push);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.law.Particles;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
 
 /**
@@ -22,6 +23,7 @@ final class StaticFriction {
     private static final double ENOUGH = 1e-6;
     /** The search ends when what is left on each particle changes by less than this fraction of it, or is enough. */
     private static final double PROGRESS = 1e-5;
+    private static final int HALVINGS = 60;
 
     private final ContactQueries queries;
     private final Block block;
@@ -32,7 +34,7 @@ final class StaticFriction {
     private double size;                                // of all forces; 0 if no search was needed
 
     /** The contact force of a particle on a surface; all forces begin at an index. */
-    private record Cone(int place, Vector3 normal, double friction, double[] force) {
+    private record Cone(int place, Vector3 normal, double friction, Skin skin, double[] force) {
         /** Balances what is left of the force on its particle, as far as it can. */
         void balance(double[] left, double[] balanced) {
             Vector3 before = Vector3.at(force, 0);
@@ -47,11 +49,29 @@ final class StaticFriction {
             double push = normal.dot(wanted);
             Vector3 across = wanted.minus(normal.times(push));
             double size = across.length();
+            if (skin != Skin.SMOOTH) {
+                return skin.toHold(across.times(-1)) <= friction * push ? wanted : nearest(push, across.times(-1));
+            }
             if (size <= friction * push) {
                 return wanted;
             }
             double most = Math.max(0, (push + friction * size) / (1 + friction * friction));
             return normal.plus(across.times(size == 0 ? 0 : friction / size)).times(most);
+        }
+
+        /** The normal force at which the distance has slope 0, found by bisection; what is balanced follows from it. */
+        private Vector3 nearest(double push, Vector3 against) {
+            double low = 0;
+            double high = Math.max(0, push) + skin.toHold(against) / friction;
+            for (int k = 0; k < HALVINGS && friction > 0; k++) {
+                double middle = (low + high) / 2;
+                Vector3 balanced = skin.balance(against, friction * middle);
+                boolean isMore = (middle - push) * middle > against.minus(balanced).dot(balanced);
+                low = isMore ? low : middle;
+                high = isMore ? middle : high;
+            }
+            double most = friction > 0 ? low : Math.max(0, push);
+            return normal.times(most).minus(skin.balance(against, friction * most));
         }
     }
 
@@ -80,8 +100,9 @@ final class StaticFriction {
         held().forEach(i -> {
             size += Vector3.at(total, place(i)).norm1();
             for (Row row : queries.push(i, state, total).rows) {
-                cones.add(new Cone(place(i), Vector3.at(row.gradient, 0),
-                        row.surface.friction().staticCoefficient(), new double[3]));
+                Vector3 normal = Vector3.at(row.gradient, 0);
+                cones.add(new Cone(place(i), normal, row.surface.friction().staticCoefficient(),
+                        queries.skin(i, state, normal), new double[3]));
             }
         });
         Block links = queries.linksBetween(block, held().toArray());

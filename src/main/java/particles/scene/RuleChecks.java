@@ -16,6 +16,7 @@ import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
+import particles.scene.parts.ShapeKind;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
@@ -60,6 +61,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
     void check() {
         checkOutside();
         checkBalls();
+        checkScales();
         Map<String, Place> moved = new HashMap<>();
         for (Chosen<RuleKind> rule : rules) {
             if (known.has(rule.values(), RuleKind.ANCHOR)) {
@@ -69,6 +71,15 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
                     && known.getIndex().getShapes().stream().allMatch(shape -> shape.springCount() == 0)) {
                 problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
+        }
+    }
+
+    /** Scales change friction; they need a rule that has some. */
+    private void checkScales() {
+        if (scene.isIntact(SceneFormat.RULES) && rules.stream().noneMatch(RuleKind::hasFriction)) {
+            scene.list(SceneFormat.SHAPES).forEach(shape -> shape.values().find(ShapeKind.SCALES).ifPresent(scales ->
+                    problems.add(scales.getPlace(), "'scales' change friction, and no rule has any; add"
+                            + " '- ground: {friction: {law: coulomb, coefficient: 0.5}}' to 'rules'")));
         }
     }
 

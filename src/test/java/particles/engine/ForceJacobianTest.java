@@ -25,6 +25,7 @@ import particles.law.Effect.Trait;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Plane;
+import particles.law.Scales;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
@@ -72,6 +73,15 @@ class ForceJacobianTest {
         }
         system.addReaction(contacts);
         return contacts;
+    }
+
+    /** Gives scales to all particles but the first two; the axis of the third begins at the fixed one. */
+    private static void addScales(ParticleSystem system) {
+        Scales[] scales = new Scales[N];
+        for (int i = 2; i < N; i++) {
+            scales[i] = new Scales(i == 2 ? 0 : i - 1, i, 0.6, 2.5, 1.5);
+        }
+        ((RestingContacts) system.getReactions().get(0)).setScales(scales);
     }
 
     /** J w by central differences, from Richardson's extrapolation of two. */
@@ -160,6 +170,9 @@ class ForceJacobianTest {
             addSprings(system, random, k % 3 == 0 ? 20 : 0.5);
             contacts(system, new Friction(law, 0.3, 0.4, 1e-3), k % 2 == 0 ? Mode.SLIDING : Mode.STICKING,
                     pairs[k / 4 % 2][0], pairs[k / 4 % 2][1]).setHolding(k / 2 % 2 == 0);
+            if (k % 5 < 2) {
+                addScales(system);
+            }
             assertTrue(system.hasExactJacobian());
             double deviation = deviation(system, random);
             assertBelow(2e-7, deviation, "case " + k);                          // measured 2.6e-8

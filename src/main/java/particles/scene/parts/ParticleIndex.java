@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import particles.law.Scales;
 import particles.law.Vector3;
 
 /** Finds particles by id. Single particles come first in the state, then those of the shapes in order. */
@@ -66,6 +67,14 @@ public final class ParticleIndex {
             }
         }
         return found.build();
+    }
+
+    /** @return the scales of each particle, null for one that has none; empty if no shape has any */
+    public Scales[] scales() {
+        boolean any = shapes.stream().anyMatch(shape -> shape.chosen().values().find(ShapeKind.SCALES).isPresent());
+        Scales[] all = new Scales[any ? count : 0];
+        shapes.forEach(shape -> shape.putScales(numbers.get(shape.layout().id()), all));
+        return all;
     }
 
     /** @return the number of particles, those of shapes included */

@@ -106,6 +106,11 @@ public class RuleKind extends Kind {
                 && rule.values().get(RESTITUTION) > 0 && rule.values().get(RESTITUTION) < 1;
     }
 
+    /** @return whether this rule of a scene, or what its friction was meant to be, slows what slides */
+    public static boolean hasFriction(Chosen<RuleKind> rule) {
+        return rule.values().isGiven(FRICTION);
+    }
+
     /** @return whether this rule of a scene makes hard balls of particles */
     public static boolean hasBalls(Chosen<RuleKind> rule) {
         return rule.kind() == COLLISIONS;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import particles.law.Scales;
 import particles.scene.parts.SpringFamily.Sort;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
@@ -74,6 +75,22 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, ParticleLayout layout, 
     public List<SpringFamily> springs() {
         return Stream.of(Sort.values()).flatMap(sort -> values().find(sort.key()).stream()
                 .map(family -> new SpringFamily(sort, family))).toList();
+    }
+
+    /**
+     * Finds the scales of its particles, if it has any.
+     *
+     * @param first the index of its first particle in the system
+     * @param all   receives the scales of each particle of the system
+     */
+    void putScales(int first, Scales[] all) {
+        values().find(ShapeKind.SCALES).ifPresent(scales -> {
+            int next = ((Lattice) layout).stride(0);
+            for (int n = 0; n < layout.size(); n++) {
+                int tail = first + (n + next < layout.size() ? n : n - next);
+                all[first + n] = ShapeKind.scales(scales, tail, tail + next);
+            }
+        });
     }
 
     /**

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import particles.law.Scales;
 import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
 import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.ListType;
+import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
@@ -30,6 +32,17 @@ public final class ShapeKind extends Kind {
             "The mass of all particles together, shared evenly (kg); give this or mass.");
     static final Key<Vector3> VELOCITY = VectorType.of("m/s").withDefault("velocity", Vector3.ZERO,
             "The velocity of all free particles at the start (m/s).");
+    private static final Key<Double> FORWARD = NumberType.positive("").required("forward",
+            "Factor of the friction on a particle that slides towards the next one, nearer the head.");
+    private static final Key<Double> BACKWARD = NumberType.positive("").required("backward",
+            "Factor of the friction on a particle that slides away from the next one.");
+    private static final Key<Double> ASIDE = NumberType.positive("").required("across",
+            "Factor of the friction on a particle that slides sideways.");
+    /** Friction that depends on the direction. */
+    public static final Key<Values> SCALES = MappingType.of("'scales'", FORWARD, BACKWARD, ASIDE).optional("scales",
+            "Scales of a snake or bristles of a worm: friction depends on the direction of sliding. The head is the"
+            + " end of the rope, or the right end of a cloth or a block.");
+
     static final Key<Boolean> SURFACE = FlagType.FLAG.withDefault("surface", true,
             "Whether to draw it as a shaded surface.");
 
@@ -76,13 +89,18 @@ public final class ShapeKind extends Kind {
     private static List<Key<?>> keys(List<List<String>> sides, List<String> parts, Key<?>... own) {
         boolean squares = sides.size() > 1;             // without them there are neither shear springs nor a surface
         List<Key<?>> all = new ArrayList<>(List.of(own));
-        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY,
+        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, SCALES,
                 fixed(Stream.concat(sides.stream().flatMap(List::stream), parts.stream()).toList())));
         Stream.of(Sort.values()).filter(sort -> squares || sort != Sort.SHEAR).forEach(sort -> all.add(sort.key()));
         if (squares) {
             all.add(SURFACE);
         }
         return all;
+    }
+
+    /** @return the scales of a particle whose body goes from one particle to the next */
+    static Scales scales(Values values, int tail, int head) {
+        return new Scales(tail, head, values.get(FORWARD), values.get(BACKWARD), values.get(ASIDE));
     }
 
     private static Key<String> id(String name) {
