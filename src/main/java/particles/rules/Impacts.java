@@ -143,7 +143,7 @@ abstract class Impacts implements Rule {
         Vector3 velocity = velocity(state, i);
         double acceleration = velocity(forces(), i).length() / particles.mass(i);
         double rounding = ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
-        double slow = Math.max(rounding, contacts.threshold(i) * (1 + ROUNDING));
+        double slow = contacts.threshold(i) + rounding;
         if (velocity.length() <= slow && holdMargin(i) >= 0) {
             stick(i, state);
             stickOthers();
