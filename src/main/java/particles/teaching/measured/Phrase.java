@@ -53,8 +53,7 @@ public enum Phrase {
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),
     OTHER_ORDER(Kind.METHOD, "the measured order is %s where bodies attract each other, and %s where a force changes"
             + " with the clock"),
-    UNSTABLE(Kind.METHOD, "a step of %s s multiplies the amplitude of the spring x'' = -x by %s: an implicit method has"
-            + " to be stable there"),
+    UNSTABLE(Kind.METHOD, "a step of %s s multiplies the amplitude of the spring x'' = -x by %s"),
     UNCONTROLLED(Kind.METHOD, "sub-steps are made, and the error is still %s after a step of %s s, and %s after %s"
             + " steps over the same time"),
     DRAG(Kind.STYLE, "its order is %s, and %s where the acceleration depends on the velocity, as with drag"),
@@ -64,8 +63,8 @@ public enum Phrase {
     BACK(Kind.STATE, "after a step of %s s and one back the state is off by %s and the clock by %s s, and the step"
             + " alone is off by %s: deltaT is negative in a step back"),
     SWALLOWS(Kind.STATE, "an exception of the source does not reach the caller: do not catch it"),
-    NAN(Kind.STATE, "where the derivative is NaN, %s: after a blow-up, nobody learns of it"),
-    NOTHING_BACK(Kind.STYLE, "a step of negative deltaT does nothing, and says nothing"),
+    NAN(Kind.STATE, "where the derivative is NaN, %s"),
+    NOTHING_BACK(Kind.STYLE, "a step of negative deltaT does nothing"),
     ONLY_PARTICLES(Kind.STYLE, "it steps particles, six numbers each, and no source of two numbers: %s");
 
     private final Kind kind;

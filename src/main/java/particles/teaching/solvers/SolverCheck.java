@@ -3,7 +3,6 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -128,19 +127,17 @@ public final class SolverCheck {
         Optional<Method> kind = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep));
         kind.ifPresent(method -> identity = "This is " + method.title() + ".");
         boolean isOther = known.isPresent() || remembers;
-        read = own.filter(scheme -> match.isPresent() || !isOther);     // not rounds of an iteration
+        read = own.filter(scheme -> match.isPresent() || !isOther).map(Reading::used);  // not rounds of an iteration
         Optional<Finding> wrong = measured(fit);
-        Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects(), read);
+        Optional<Cause> cause = agreement.mistake(isOther ? Stream.empty() : suspects(), own);
         return cause.filter(one -> wrong.isPresent() || isMeant(one)).map(SolverCheck::named).or(() -> wrong.map(
                 this::compared));
     }
 
-    /** The methods of which it may be a mistake: the declared one, or those with as many evaluations, then others. */
+    /** The methods of which it may be a mistake: the declared one, or all. */
     private Stream<Method> suspects() {
-        long evaluations = contract.evaluations(SHORT);
         Optional<Method> meant = method().filter(method -> !method.isFamily());
-        return meant.isPresent() ? meant.stream() : Arrays.stream(Method.values()).sorted(Comparator.comparing(method ->
-                method.schemes().stream().noneMatch(scheme -> scheme.size() == evaluations)));
+        return meant.isPresent() ? meant.stream() : Arrays.stream(Method.values());
     }
 
     /** Whether a step without a fault of its own is a mistake of the declared method, or of one of higher order. */
@@ -175,7 +172,7 @@ public final class SolverCheck {
 
     /** An evaluation at another time than that of its state is a mistake if it lowers the order, or leaves it at 1. */
     private Optional<Finding> inTime() {
-        Optional<Finding> other = read.map(Reading::used).flatMap(own -> own.astray().map(where -> (
+        Optional<Finding> other = read.flatMap(own -> own.astray().map(where -> (
                 orders.lowersWithClock() || declared.isEmpty() && orders.order() < LOW && Arrays.stream(own.times())
                 .distinct().count() > 1 ? Phrase.OTHER_TIME : Phrase.EARLY_OR_LATE).of(where, orders.digits())));
         other.filter(finding -> !finding.isWrong()).ifPresent(notes::add);
@@ -184,7 +181,7 @@ public final class SolverCheck {
 
     /** An implicit method solves its equation. */
     private Optional<Finding> solved(Method method, Fit fit) {
-        return read.map(scheme -> Phrase.EXPLICIT.of(scheme.size(), method.title())).or(() -> method.equation().map(
+        return read.map(scheme -> Phrase.EXPLICIT.of(contract.evaluations(SHORT), method.title())).or(() -> method.equation().map(
                 equation -> Phrase.EQUATION.of(method.title(), fit.residual(method), Fit.H)));
     }
 
@@ -199,8 +196,8 @@ public final class SolverCheck {
         orders = Orders.of(maker);
         if (known.isEmpty() && !multistep) {
             identity = "This is a method" + orders.whole().map(whole -> " of order " + whole).orElse("") + (remembers
-                    ? " that keeps something of earlier steps" : read.map(scheme -> " (evaluations in a step: " + scheme
-                    .size() + ")").orElse(control.makesSubSteps() ? " that makes sub-steps" : ""))
+                    ? " that keeps something of earlier steps" : read.map(scheme -> " (evaluations in a step: "
+                    + contract.evaluations(SHORT) + ")").orElse(control.makesSubSteps() ? " that makes sub-steps" : ""))
                     + "; it is none that the check knows by name.";
         }
         boolean alike = read.filter(scheme -> !scheme.particles()).isPresent();
@@ -229,10 +226,9 @@ public final class SolverCheck {
         Optional<Method> meant = match.map(Match::method).or(this::method);
         return match.map(Match::scheme).or(() -> meant.flatMap(method -> method.schemes().stream().findFirst())).filter(
                 scheme -> scheme.particles() == own.particles()).map(known -> {
-                    Scheme used = own.size() == known.size() ? own : Reading.used(own);
-                    int r = used.size() == known.size() ? used.unlike(known) : used.size();
-                    return r < 0 ? finding : Phrase.ROW.of(finding.text(), used.what(r), used.formula(r), meant
-                            .orElseThrow().title(), known.formula(r == used.size() ? known.size() : r));
+                    int r = own.size() == known.size() ? own.unlike(known) : own.size();
+                    return r < 0 ? finding : Phrase.ROW.of(finding.text(), own.what(r), own.formula(r), meant
+                            .orElseThrow().title(), known.formula(r == own.size() ? known.size() : r));
                 }).or(() -> own.astray().map(where -> Phrase.ASTRAY.of(finding.text(), where))).orElse(finding);
     }
 }

@@ -4,14 +4,12 @@ import deSolvers.problems.Kepler;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /**
- * Two bodies that attract each other, x'' = -G m x/r^3, G m = 1 in all, on ellipses in an oblique plane, while their
- * centre of mass flies on.
+ * Two bodies that attract each other, x'' = -G m x/r^3, G m = 1 in all, on ellipses in an oblique plane.
  */
 public final class Bodies extends StudentSource implements SecondOrderSource {
     private static final double[] MASSES = {0.4, 0.6};
     /** A turn of the plane of the orbit into space. */
     private static final double[][] AXES = {{0.48, 0.6, 0.64}, {-0.8, 0, 0.6}};
-    private static final double[] FLIGHT = {0.3, -0.2, 0.1};
 
     private final Kepler orbit = new Kepler(0.3);
 
@@ -28,8 +26,7 @@ public final class Bodies extends StudentSource implements SecondOrderSource {
         for (int k = 0; k < 12; k++) {
             int kind = k / 3 % 2;
             double share = k < 6 ? -MASSES[1] : MASSES[0];
-            state[k] = share * (apart[2 * kind] * AXES[0][k % 3] + apart[2 * kind + 1] * AXES[1][k % 3]) + FLIGHT[k % 3]
-                    * (kind == 0 ? t : 1);
+            state[k] = share * (apart[2 * kind] * AXES[0][k % 3] + apart[2 * kind + 1] * AXES[1][k % 3]);
         }
         return state;
     }
