@@ -10,6 +10,7 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.CpuClock;
+import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.EffectCost;
 import particles.experiments.work.StiffCharts;
@@ -61,9 +62,7 @@ final class Experiments {
         return (folder, progress) -> {
             progress.reached(0, "the references");
             List<WorkProblem> problems = asked.problems().stream().map(WorkProblem::of).toList();
-            List<Curve> all = progress.parts(problems, (solved, part) -> part.each(asked.solvers(), solver ->
-                    solver.label() + " on " + solved.name(), solver -> new WorkPrecision(solved, solver).curve()))
-                    .stream().flatMap(List::stream).toList();
+            List<Curve> all = curves(problems, asked.solvers(), progress);
             List<Picture> pictures = new ArrayList<>();
             for (WorkProblem solved : problems) {
                 List<Curve> curves = all.stream().filter(curve -> curve.problem() == solved).toList();
@@ -83,6 +82,20 @@ final class Experiments {
                     one before; the slope of a line is the order."""), pictures,
                     List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
         };
+    }
+
+    /** All runs take turns, round by round, so that other work on the machine slows down one round of many. */
+    private static List<Curve> curves(List<WorkProblem> problems, List<SolverChoice> solvers,
+            ProgressListener progress) {
+        double part = 1.0 / WorkPrecision.ROUNDS;
+        List<Curve> curves = progress.part(0, part).parts(problems, (solved, some) -> some.each(solvers,
+                solver -> solver.label() + " on " + solved.name(), solver ->
+                        new WorkPrecision(solved, solver).curve())).stream().flatMap(List::stream).toList();
+        for (int round = 1; round < WorkPrecision.ROUNDS; round++) {
+            curves = progress.part(part * round, part * (round + 1)).each(curves, curve -> curve.label() + " on "
+                    + curve.problem().name(), Curve::timedAgain);
+        }
+        return curves;
     }
 
     static Run stiffGallery(DeclaredCommand asked) {

@@ -16,6 +16,7 @@ import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.EqualWork.Shares;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -110,16 +111,14 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         double scale = runReference(reference, extent);
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         // measured: the reference takes a tenth of the time, the search a third, the reference's frames a fifth
-        EqualWork work = new EqualWork(scene, evaluations, frames);
-        List<Setting> settings = progress.part(0.1, 0.4).onAllCores(solvers, solver -> "equal work for "
-                + solver.label(), work::find);
+        Shares shares = new EqualWork(scene, evaluations, frames).share(solvers, progress.part(0.1, 0.4));
         Scene again = SceneRun.build(scene, tight());
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
-        List<Supplier<Lane>> runs = settings.stream().map(setting ->
-                lane(setting, rate, scale, reference.states, extent, factory)).toList();
+        List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
+                lane(match.setting(), rate, scale, reference.states, extent, factory)).toList();
         List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
-        return new Result(scene.title(), evaluations, times, scale, reference.states, lanes);
+        return new Result(scene.title(), shares.work(), times, scale, reference.states, lanes);
     }
 
     /**

@@ -19,6 +19,8 @@ import particles.scene.format.SceneDescription;
  */
 public record EqualWork(SceneDescription scene, long target, int frames) {
     private static final int TRIALS = 14;
+    /** More by this part is no reason to raise the others' share: with contacts a shorter step may cost less. */
+    private static final double NEAR = 0.01;
     /** Exponents of the loosest tolerance that makes sense and of the tightest. */
     private static final double LOOSEST = -1;
     private static final double TIGHTEST = -13;
@@ -26,68 +28,92 @@ public record EqualWork(SceneDescription scene, long target, int frames) {
     private static final int ADAPTIVE_STEPS = 200;
     private static final int EVALUATIONS_A_STEP = 14;
 
+    /**
+     * The setting of a solver.
+     *
+     * @param setting its step or tolerance
+     * @param cost    the evaluations of a run with it
+     * @param steps   the number of its steps
+     * @param whole   whether that run came to its end; if not, its cost is that of the whole duration by proportion
+     */
+    public record Match(Setting setting, double cost, long steps, boolean whole) {
+        private double off(long target) {
+            return steps == 0 ? Double.POSITIVE_INFINITY : Math.abs(cost - target);
+        }
+    }
+
+    /** The settings of several solvers, and the evaluations that each was to cost. */
+    public record Shares(long work, List<Match> matches) {
+    }
+
+    /**
+     * Shares work among solvers. If one cannot do with the target, all get as much as it needs, and the others make
+     * shorter steps.
+     *
+     * @param solvers  the solvers
+     * @param progress receives the progress
+     * @return their settings
+     */
+    public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
+        List<Match> matches = find(solvers, progress.part(0, 0.5));
+        long most = Math.round(matches.stream().filter(match -> match.whole && match.cost - target
+                > Math.max(NEAR * target, match.cost / match.steps)).mapToDouble(Match::cost).max().orElse(target));
+        return most == target ? new Shares(target, matches) : new Shares(most,
+                new EqualWork(scene, most, frames).find(solvers, progress.part(0.5, 1)));
+    }
+
+    private List<Match> find(List<SolverChoice> solvers, ProgressListener progress) {
+        return progress.onAllCores(solvers, solver -> "equal work for " + solver.label(), this::find);
+    }
+
     /** @return the setting of a solver whose cost comes nearest */
-    public Setting find(SolverChoice solver) {
+    Match find(SolverChoice solver) {
         return solver.adaptive() ? byTolerance(solver) : bySteps(solver);
     }
 
     /** The cost of a step changes little with its length, so proportion finds the number of steps. */
-    private Setting bySteps(SolverChoice solver) {
+    private Match bySteps(SolverChoice solver) {
         Set<Long> tried = new HashSet<>();
-        long best = 1;
-        double off = Double.POSITIVE_INFINITY;
         long steps = Math.max(1, Math.round(target / 4.0));
-        while (tried.add(steps) && tried.size() <= TRIALS) {
-            Outcome outcome = run(Setting.of(solver, scene.duration() / steps));
-            double cost = cost(outcome);
+        Match best = measure(Setting.of(solver, scene.duration() / steps));
+        Match match = best;
+        while (tried.add(steps) && tried.size() < TRIALS) {
             // a first step that fails does not show what a step costs: a shorter one may not fail
-            if (outcome.steps() > 0 && Math.abs(cost - target) < off || off == Double.POSITIVE_INFINITY) {
-                best = steps;
-                off = outcome.steps() > 0 ? Math.abs(cost - target) : Double.POSITIVE_INFINITY;
-            }
-            steps = outcome.steps() == 0 ? steps + (steps + 1) / 2
-                    : Math.max(1, Math.round(steps * (target / cost)));
+            steps = match.steps == 0 ? steps + (steps + 1) / 2
+                    : Math.max(1, Math.round(steps * (target / match.cost)));
+            match = measure(Setting.of(solver, scene.duration() / steps));
+            best = match.off(target) < best.off(target) ? match : best;
         }
-        return Setting.of(solver, scene.duration() / best);
+        return best;
     }
 
-    /** Bisects the exponent of the tolerance; a run that fails asks for a tighter one. */
-    private Setting byTolerance(SolverChoice solver) {
+    /** Bisects the exponent of the tolerance, from the loosest one; a run that fails asks for a tighter one. */
+    private Match byTolerance(SolverChoice solver) {
         long most = Math.max(1, Math.min(ADAPTIVE_STEPS, target / EVALUATIONS_A_STEP));
         int steps = IntStream.rangeClosed(1, frames).filter(d -> frames % d == 0 && d <= most).max().orElseThrow();
         double loose = LOOSEST;
         double tight = TIGHTEST;
         double exponent = loose;
-        double best = loose;
-        double off = Double.POSITIVE_INFINITY;
+        Optional<Match> best = Optional.empty();
         for (int trial = 0; trial < TRIALS; trial++) {
-            Outcome outcome = run(setting(solver, steps, exponent));
-            double cost = cost(outcome);
-            if (outcome.whole() && Math.abs(cost - target) < off) {
-                best = exponent;
-                off = Math.abs(cost - target);
+            Match match = measure(new Setting(solver, scene.duration() / steps,
+                    Optional.of(StrictMath.pow(10, exponent))));
+            if (best.isEmpty() || match.whole && (!best.get().whole || match.off(target) < best.get().off(target))) {
+                best = Optional.of(match);
             }
-            if (outcome.whole() && cost >= target) {
+            if (match.whole && match.cost >= target) {
                 tight = exponent;
             } else {
                 loose = exponent;
             }
             exponent = (loose + tight) / 2;             // the loosest one, if that costs too much
         }
-        return setting(solver, steps, best);
+        return best.orElseThrow();
     }
 
-    private Setting setting(SolverChoice solver, int steps, double exponent) {
-        return new Setting(solver, scene.duration() / steps, Optional.of(StrictMath.pow(10, exponent)));
-    }
-
-    private Outcome run(Setting setting) {
-        return SceneRun.run(SceneRun.build(scene, setting), List.of());
-    }
-
-    /** The evaluations of a run; of one that ends early, those of the whole duration by proportion. */
-    private double cost(Outcome outcome) {
+    private Match measure(Setting setting) {
+        Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), List.of());
         double part = outcome.whole() || outcome.endTime() == 0 ? 1 : outcome.endTime() / scene.duration();
-        return Math.max(1, outcome.evaluations() / part);
+        return new Match(setting, Math.max(1, outcome.evaluations() / part), outcome.steps(), outcome.whole());
     }
 }

@@ -10,7 +10,6 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.experiments.runs.CpuClock;
@@ -31,7 +30,7 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
     static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
-    /** Each run is timed in so many rounds. */
+    /** All runs take turns, so many rounds. */
     public static final int ROUNDS = 5;
     /** In a round, short runs are repeated until all together took this time (s). */
     private static final double ENOUGH = 5e-4;
@@ -102,12 +101,19 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
             return solver.look();
         }
 
+        /** @return the same runs, with the times of another round */
+        public Curve timedAgain() {
+            WorkPrecision work = new WorkPrecision(problem, solver);
+            return new Curve(problem, solver, byStep, points.stream().map(point -> work.point((int) Math.round(
+                    problem.duration() / point.deltaT), point.tolerance, point.times)).toList(), fit, expected);
+        }
+
         Stream<Point> failures(Failure kind) {
             return points.stream().filter(point -> point.failure().equals(Optional.of(kind)));
         }
     }
 
-    /** @return the runs of this solver */
+    /** @return the runs of this solver, with the times of the first round */
     public Curve curve() {
         List<Point> points = byStep() ? overSteps() : overTolerances();
         double expected = expected();
@@ -143,7 +149,7 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
         List<Point> points = new ArrayList<>();
         int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
         for (long next = steps; next <= budget(); steps *= 2) {
-            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN);
+            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN, List.of());
             points.add(point);
             // half the step doubles the work; a run that fails early says little about it
             next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
@@ -154,16 +160,25 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
     private List<Point> overTolerances() {
         List<Point> points = new ArrayList<>();
         for (double tolerance = LOOSEST; tolerance > 0.5 * tightest(); tolerance /= 10) {
-            points.add(point(1, tolerance));
+            points.add(point(1, tolerance, List.of()));
         }
         return points;
     }
 
-    private Point point(int steps, double tolerance) {
-        DEStateSource source = problem.start().get();
-        Optional<DESolverException> thrown = solve(source, solver.create(tolerance), steps);
-        List<Double> times = DoubleStream.generate(() -> seconds(steps, tolerance)).limit(ROUNDS).sorted().boxed()
-                .toList();
+    private Point point(int steps, double tolerance, List<Double> before) {
+        double all = 0;
+        int runs = 0;
+        DEStateSource source;
+        Optional<DESolverException> thrown;
+        do {
+            source = problem.start().get();
+            DESolver fresh = solver.create(tolerance);
+            double begin = CpuClock.seconds();
+            thrown = solve(source, fresh, steps);
+            all += CpuClock.seconds() - begin;
+            runs++;
+        } while (all < ENOUGH);
+        List<Double> times = Stream.concat(before.stream(), Stream.of(all / runs)).sorted().toList();
         double error = problem.error(source);
         Optional<Failure> failure = thrown.map(this::kind).or(() -> error < USELESS ? Optional.empty()
                 : Optional.of(Failure.UNSTABLE));
@@ -171,20 +186,6 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
                 : "");
         return new Point(problem.duration() / steps, tolerance, WorkProblem.evaluations(source),
                 failure.isPresent() ? Double.NaN : error, times, failure, why);
-    }
-
-    private double seconds(int steps, double tolerance) {
-        double all = 0;
-        int runs = 0;
-        while (all < ENOUGH) {
-            DEStateSource source = problem.start().get();
-            DESolver fresh = solver.create(tolerance);
-            double begin = CpuClock.seconds();
-            solve(source, fresh, steps);
-            all += CpuClock.seconds() - begin;
-            runs++;
-        }
-        return all / runs;
     }
 
     /**

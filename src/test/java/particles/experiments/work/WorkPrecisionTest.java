@@ -96,9 +96,13 @@ class WorkPrecisionTest {
     }
 
     @Test
-    void eachRunIsTimedInFiveRounds() {
-        for (Point point : curve("network", "dormand-prince").points()) {
-            assertTrue(point.times().size() == 5 && point.fastest() <= point.median() && point.fastest() > 0);
+    void anotherRoundAddsATimeToTheSameRuns() {
+        Curve once = curve("network", "dormand-prince");
+        List<Point> again = once.timedAgain().points();
+        for (int k = 0; k < again.size(); k++) {
+            Point point = again.get(k);
+            assertEquals(once.points().get(k).error(), point.error());
+            assertTrue(point.times().size() == 2 && point.fastest() <= point.median() && point.fastest() > 0);
         }
     }
 
