@@ -43,6 +43,12 @@ class LabPlayTest extends LabPageTestCase {
         runToTheEnd();
         assertEquals(7 * 1.5 - 1.6 / 2 * 1.5 * 1.5, value("state[1]"), 1e-6);
         assertEquals(0, slide("gravity", 0.5));
+        page.openScene("49-creeping-worm");
+        assertEquals(0.25, slide("amplitude", 0.25));           // from 0 to 1, of all muscles together
+        assertEquals(1.2, slide("wavelength", 0.5));
+        double period = slide("period", 0.6);                   // 20^0.2
+        assertEquals(1.82, period);
+        until("scene().split('amplitude: 0.25, period: 1.82, wavelength: 1.2').length === 3");
         page.openScene("07-sliding-friction");
         assertEquals(1, slide("restitution", 1));               // no more than the scene's format allows
     }

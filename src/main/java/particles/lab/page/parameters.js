@@ -76,8 +76,8 @@ function parametersOf(numbers, lines) {
   for (const number of byPlace.values()) {
     const {section, id, owner} = ownerOf(lines, number), key = number.key.replace(/'/g, '');
     const vector = / of /.test(key);
-    if (number.line < 1 || gravity.includes(number.line) || NOT_BEHAVIOUR.test(section) || number.unit === 'm'
-        || vector && (number.value === 0 || number.unit === '')) {
+    if (number.line < 1 || gravity.includes(number.line) || NOT_BEHAVIOUR.test(section)
+        || number.unit === 'm' && key !== 'wavelength' || vector && (number.value === 0 || number.unit === '')) {
       continue;
     }
     const group = [key, section, owner, number.value, number.unit].join();
