@@ -26,4 +26,15 @@ public interface SecondOrderStateSource extends DEStateSource {
     default boolean accelerationDependsOnVelocity() {
         return true;
     }
+
+    /**
+     * Returns the largest term that a(x, v, t) was summed from in the last evaluation, if it may be far larger than the
+     * sum: constraint forces that cancel on a light particle between heavy ones. Its round-off is left in a, so an
+     * iteration that does not shrink below it has converged.
+     *
+     * @return the term's size (in the unit of a); 0 if a is about as large as its terms
+     */
+    default double getLargestTerm() {
+        return 0;
+    }
 }

@@ -203,6 +203,11 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     }
 
     @Override
+    public double getLargestTerm() {
+        return forces.getLargestAcceleration();
+    }
+
+    @Override
     public int getStateSize() {
         return STRIDE * particles.count();
     }

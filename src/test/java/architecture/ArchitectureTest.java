@@ -81,8 +81,9 @@ class ArchitectureTest {
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.solvers particles.view
                                            javax.tools picocli
-            particles.effects:             deSolvers particles.effects.springs particles.law particles.spec
-                                           particles.spec.messages
+            particles.effects:             deSolvers particles.effects.neighbours particles.effects.springs
+                                           particles.law particles.spec particles.spec.messages
+            particles.effects.neighbours:  particles.law
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view
             particles.engine:              deSolvers particles.law
@@ -130,8 +131,8 @@ class ArchitectureTest {
             particles.output.usd:          particles particles.law particles.output.files particles.output.painters
                                            particles.output.raster particles.view
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
-            particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
-                                           particles.law particles.reactions particles.view
+            particles.rules:               deSolvers.text particles particles.effects.neighbours
+                                           particles.effects.springs particles.law particles.reactions particles.view
             particles.scene:               deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.format particles.scene.parts particles.spec

@@ -174,12 +174,12 @@ final class Newton {
                 kind = part == 1 && known && (kind == Kind.CAREFUL || !stagnates) ? Kind.EXACT : Kind.CAREFUL;
             }
         }
-        return isRoundOff();
+        return isRoundOff() || nextSize > STAGNATION * size && isConverged(size, correction);
     }
 
     private boolean isConverged(double size, double[] correction) {
         return size <= TOLERANCE || size != Double.POSITIVE_INFINITY
-                && NewtonUpdate.isRoundOffOfTheLargest(source.getClient(), correction, roundOff);
+                && NewtonUpdate.isRoundOffOfTheLargest(source.getClient(), correction, g, roundOff);
     }
 
     /** Sets J up at m and computes the correction that it asks for; false if there is none. */

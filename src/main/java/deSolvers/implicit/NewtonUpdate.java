@@ -87,13 +87,16 @@ final class NewtonUpdate {
     /**
      * Whether an update of positions and velocities is no larger than the largest round-off of any position, or of any
      * velocity: an unknown driven by the round-off of a stiff neighbour gets no smaller.
+     *
+     * @param g the step of g f (s)
      */
-    static boolean isRoundOffOfTheLargest(DEStateSource source, double[] update, double[] roundOff) {
-        if (!(source instanceof SecondOrderStateSource)) {
+    static boolean isRoundOffOfTheLargest(DEStateSource source, double[] update, double g, double[] roundOff) {
+        if (!(source instanceof SecondOrderStateSource particles)) {
             return false;
         }
-        int d = ((SecondOrderStateSource) source).getDimension();
-        double[] largest = {0, 0};                      // of positions, of velocities
+        int d = particles.getDimension();
+        double kick = ROUND_OFF * Math.abs(g) * particles.getLargestTerm();
+        double[] largest = {Math.abs(g) * kick, kick};  // of positions, of velocities
         for (int i = 0; i < update.length; i++) {
             largest[i / d % 2] = Math.max(largest[i / d % 2], roundOff[i]);
         }

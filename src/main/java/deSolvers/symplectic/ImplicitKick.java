@@ -1,5 +1,6 @@
 package deSolvers.symplectic;
 
+import deSolvers.SecondOrderStateSource;
 import deSolvers.StepTransaction;
 
 /**
@@ -47,8 +48,8 @@ final class ImplicitKick {
             if (change <= TOLERANCE * Math.max(scale, Double.MIN_NORMAL)) {     // smaller numbers have fewer digits
                 return;
             }
-            if (iteration > 0 && change >= last
-                    && change * Math.abs(h) <= ROUND_OFF * largest(s, 0, d)) {
+            if (iteration > 0 && change >= last && (change * Math.abs(h) <= ROUND_OFF * largest(s, 0, d)
+                    || change <= ROUND_OFF * Math.abs(h) * largestTerm(source))) {
                 return;                                 // near rest, where large forces cancel, only round-off is left
             }
         }
@@ -56,6 +57,10 @@ final class ImplicitKick {
                 + " iterations", "the last change is " + change + " of " + scale + "; a force that depends"
                 + " on the velocity, as drag or damping, is too stiff for this deltaT: take a smaller one or an"
                 + " implicit solver");
+    }
+
+    private static double largestTerm(StepTransaction source) {
+        return source.getClient() instanceof SecondOrderStateSource client ? client.getLargestTerm() : 0;
     }
 
     /** v = v0 + h a; notes the largest change, NaN if one is. */

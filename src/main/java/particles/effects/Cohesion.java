@@ -1,5 +1,6 @@
 package particles.effects;
 
+import particles.effects.neighbours.NeighbourLists;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.spec.Key;
@@ -63,7 +64,7 @@ public final class Cohesion extends ShortRangeForce {
 
     @Override
     int first(int i, boolean all) {
-        return lists.later[i];
+        return lists.first(i, false);
     }
 
     private double u(double square) {

@@ -2,6 +2,7 @@ package particles.effects;
 
 import java.util.List;
 import java.util.Optional;
+import particles.effects.neighbours.NeighbourLists;
 import particles.law.CentralForce;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
@@ -74,7 +75,7 @@ public final class Repulsion extends ShortRangeForce implements DivisibleEffect,
 
     @Override
     int first(int i, boolean all) {
-        return all ? lists.start[i] : lists.later[i];
+        return lists.first(i, all);
     }
 
     @Override
@@ -84,7 +85,7 @@ public final class Repulsion extends ShortRangeForce implements DivisibleEffect,
 
     @Override
     public int size() {
-        return lists.start[lists.start.length - 1];
+        return lists.size();
     }
 
     private int getFirstParticle(int block) {

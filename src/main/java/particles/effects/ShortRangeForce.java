@@ -2,6 +2,7 @@ package particles.effects;
 
 import deSolvers.TimeScaleSource;
 import java.util.Arrays;
+import particles.effects.neighbours.NeighbourLists;
 import particles.law.Particles;
 import particles.law.Passage;
 
@@ -78,12 +79,12 @@ abstract class ShortRangeForce extends PairForce {
     void findNeighbours(double[] state) {
         fit(particles.count());
         lists.update(state, particles, radii, largest);
-        near = lists.near;
+        near = lists.getNear();
     }
 
     @Override
     final int end(int i) {
-        return lists.start[i + 1];
+        return lists.end(i);
     }
 
     @Override
@@ -131,8 +132,8 @@ abstract class ShortRangeForce extends PairForce {
         wideLists.update(middle, particles, wide, WIDER * largest);
         double first = Double.POSITIVE_INFINITY;
         for (int i = 0; i < particles.count(); i++) {
-            for (int k = wideLists.later[i]; k < wideLists.start[i + 1]; k++) {
-                int j = wideLists.near[k];
+            for (int k = wideLists.first(i, false); k < wideLists.end(i); k++) {
+                int j = wideLists.getNear()[k];
                 reach.touching = radii[i] + radii[j];
                 first = Math.min(first, reach.find(from, to, i, j, duration));
             }

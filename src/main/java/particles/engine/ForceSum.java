@@ -196,6 +196,15 @@ public final class ForceSum {
         }
     }
 
+    /** The largest acceleration that a single force of any reaction gave in the last evaluation (m/s&sup2;). */
+    public double getLargestAcceleration() {
+        double largest = 0;
+        for (Reaction reaction : reactions) {
+            largest = Math.max(largest, reaction.isActive() ? reaction.getLargestAcceleration() : 0);
+        }
+        return largest;
+    }
+
     /** Whether all effects and active reactions know their derivatives. */
     public boolean hasDerivatives() {
         for (Effect effect : effects) {

@@ -44,6 +44,14 @@ public interface Reaction {
     }
 
     /**
+     * @return the largest acceleration that one of its forces alone gave to a particle in the last evaluation
+     *         (m/s&sup2;): where such forces cancel, its round-off is left
+     */
+    default double getLargestAcceleration() {
+        return 0;
+    }
+
+    /**
      * @param state the particles' state
      * @param time  t (s)
      * @param force the total force of all effects (N), without reactions

@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.List;
 import particles.ParticleSystem;
 import particles.SimulationException;
@@ -117,6 +118,12 @@ public final class RigidConstraints implements Reaction, SpringView {
     @Override
     public void addForces(double[] state, double time, double[] force) {
         blocks.addForces(state, time, force);
+    }
+
+    @Override
+    public double getLargestAcceleration() {
+        return blocks.joined().stream().flatMap(block -> Arrays.stream(block.rows))
+                .mapToDouble(row -> row.largestAcceleration(particles.getInverseMasses())).max().orElse(0);
     }
 
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */

@@ -181,6 +181,11 @@ final class Row {
         }
     }
 
+    /** The acceleration of its lighter particle by its force alone (m/s&sup2;). */
+    double largestAcceleration(double[] inverseMasses) {
+        return Math.abs(force) * Math.max(inverseMasses[first], second < 0 ? 0 : inverseMasses[second]);
+    }
+
     /** The power of the friction that goes with its force (W); surfaces at rest do no other work. */
     double frictionPower(double[] state) {
         return kind == Kind.SURFACE ? force * (dot(pull, 0, state, STRIDE * first + 3) - rate) : 0;

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
-import particles.effects.NeighbourGrid;
+import particles.effects.neighbours.NeighbourGrid;
 import particles.law.Particles;
 import particles.law.Sphere;
 import particles.law.Vector3;

@@ -3,7 +3,7 @@ package particles.rules;
 import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.effects.NeighbourGrid;
+import particles.effects.neighbours.NeighbourGrid;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.law.SeededRandom;

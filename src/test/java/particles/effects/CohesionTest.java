@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
+import particles.effects.neighbours.NeighbourGrid;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.scene.ShortRun;

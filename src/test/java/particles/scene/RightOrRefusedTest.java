@@ -208,7 +208,10 @@ class RightOrRefusedTest {
         }
     }
 
-    /** Hard balls one above the other on the ground, with any solver. */
+    /**
+     * Hard balls one above the other on the ground, with any solver. In the last five the contact forces on a light
+     * ball leave it 1e-10 m/s&sup2; of their round-off, which no iteration can make smaller. Measured: 3e-16 m and m/s.
+     */
     @ParameterizedTest
     @CsvSource(textBlock = """
             1e-6, 1e6,  1
@@ -220,6 +223,11 @@ class RightOrRefusedTest {
             1e-6, 1e6,  1e-6
             1e6,  1e-6, 1e6
             0.1,  1e5,  7
+            1e-6, 1e-6, 1e6
+            1e-6, 1,    1e6
+            1,    1e-6, 1e6
+            1e-3, 1e-6, 1e-3
+            1,    1e-3, 1
             """)
     void unevenBallsRestOnEachOther(double low, double middle, double top) {
         for (String solver : SolverCatalog.names()) {

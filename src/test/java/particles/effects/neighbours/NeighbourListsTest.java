@@ -1,4 +1,4 @@
-package particles.effects;
+package particles.effects.neighbours;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package particles.effects;
+package particles.effects.neighbours;
 
 import java.util.Arrays;
 import particles.law.Particles;
@@ -11,7 +11,7 @@ import particles.law.Particles;
  *
  * <p>Source: L. Verlet, "Computer 'experiments' on classical fluids" (1967).
  */
-final class NeighbourLists {
+public final class NeighbourLists {
     /**
      * The margin as a fraction of the largest radius. For 2,000 balls that fall into a box, 0.3 takes 1.12 times as
      * long; 0.8 takes 0.98 of the time, but the lists are longer.
@@ -34,12 +34,19 @@ final class NeighbourLists {
     private boolean[] crossed = {};                     // whether a particle is in another cube than at the last call
 
     /** @param betweenFixed whether two fixed balls can be neighbours */
-    NeighbourLists(boolean betweenFixed) {
+    public NeighbourLists(boolean betweenFixed) {
         this.betweenFixed = betweenFixed;
     }
 
-    /** Makes the lists again if they may have become wrong; with the radius of each ball and the largest one (m). */
-    void update(double[] state, Particles particles, double[] radii, double largest) {
+    /**
+     * Makes the lists again if they may have become wrong.
+     *
+     * @param state     the particles' state, of which only positions are used
+     * @param particles the balls
+     * @param radii     the radius of each (m)
+     * @param largest   the largest of them (m)
+     */
+    public void update(double[] state, Particles particles, double[] radii, double largest) {
         double margin = MARGIN * largest;
         if (listed.length != 3 * particles.count() || !(farthestMove(state) <= margin * margin / 4)) {
             grid.build(state, particles.count(), 2 * largest + margin);
@@ -51,8 +58,11 @@ final class NeighbourLists {
     /**
      * Sorts the later neighbours of each particle by their cubes of this width, in the order of x, y, z, and those in
      * the same cube by index: as {@link NeighbourGrid#findLater} lists them. Called after each update.
+     *
+     * @param state the particles' state
+     * @param width the width of the cubes (m)
      */
-    void sortByCubes(double[] state, double width) {
+    public void sortByCubes(double[] state, double width) {
         int n = later.length;
         boolean all = cubes.length != 3 * n || !sorted;
         sorted = true;
@@ -100,8 +110,39 @@ final class NeighbourLists {
         return i < j;
     }
 
+    /**
+     * Returns the lists, one after the other.
+     *
+     * @return indices of particles; valid until the next update
+     */
+    public int[] getNear() {
+        return near;
+    }
+
+    /**
+     * @param i   a particle
+     * @param all whether all its neighbours are meant, or those with a larger index
+     * @return where they begin in {@link #getNear}
+     */
+    public int first(int i, boolean all) {
+        return all ? start[i] : later[i];
+    }
+
+    /**
+     * @param i a particle
+     * @return where its list ends
+     */
+    public int end(int i) {
+        return start[i + 1];
+    }
+
+    /** @return the sum of the lists' lengths */
+    public int size() {
+        return start[start.length - 1];
+    }
+
     /** Has the lists made at the next update. */
-    void forget() {
+    public void forget() {
         listed = new double[0];
     }
 

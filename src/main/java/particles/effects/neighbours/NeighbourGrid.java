@@ -1,4 +1,4 @@
-package particles.effects;
+package particles.effects.neighbours;
 
 import java.util.Arrays;
 import particles.law.Particles;
