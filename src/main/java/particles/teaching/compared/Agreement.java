@@ -101,10 +101,10 @@ public final class Agreement {
      * @return the typical mistake that makes the solver's steps, if it is one of one method only
      */
     public Optional<Cause> mistake(Stream<Method> methods, Optional<Scheme> read) {
-        List<Cause> causes = methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(Mistake.values())
-                .flatMap(mistake -> mistake.steps(scheme).filter(step -> (!(step instanceof Scheme) || read.filter(
-                own -> own.size() == scheme.size()).isPresent()) && distance(scheme, step) < PRINTED).map(step ->
-                new Cause(method, scheme, mistake, step))))).toList();
+        List<Cause> causes = methods.flatMap(method -> method.schemes().stream().flatMap(scheme -> Arrays.stream(
+                Mistake.values()).flatMap(mistake -> mistake.steps(scheme).filter(step -> (!(step instanceof Scheme)
+                || read.filter(own -> own.size() == scheme.size()).isPresent()) && distance(scheme, step) < PRINTED)
+                .map(step -> new Cause(method, scheme, mistake, step))))).toList();
         return causes.stream().findFirst().filter(first -> causes.stream().allMatch(one -> one.method
                 == first.method));
     }

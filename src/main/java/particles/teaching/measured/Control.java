@@ -3,12 +3,10 @@ package particles.teaching.measured;
 import deSolvers.DESolver;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import particles.teaching.Finding;
-import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
 
-/** What is measured of step-size control and of stability. */
+/** What is measured of step-size control. */
 public record Control(Supplier<DESolver> maker) {
     private static final double START = 0.5;
     private static final double LONG = 4;
@@ -19,8 +17,6 @@ public record Control(Supplier<DESolver> maker) {
     private static final double MUCH = 100;
     /** An iteration that diverges leaves more. */
     private static final double DIVERGED = 1e6;
-    /** A stiff spring may be damped little or not at all, but not grow. */
-    private static final double GROWS = 1.5;
 
     private WindyOscillators after(int steps, double deltaT) {
         WindyOscillators source = WindyOscillators.besideOneAtRest().from(START);
@@ -49,14 +45,5 @@ public record Control(Supplier<DESolver> maker) {
         double often = after(STEPS, LONG / STEPS).error();
         return Phrase.UNCONTROLLED.when(error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often),
                 error, LONG, often, STEPS);
-    }
-
-    /** @return the mistake of an implicit method whose long steps make a spring grow, unless an iteration diverges */
-    public Optional<Finding> unstable() {
-        Springs springs = new Springs();
-        DESolver solver = maker.get();
-        boolean made = Stream.generate(() -> springs.accepts(solver, LONG)).limit(STEPS / 2).allMatch(one -> one);
-        double growth = StrictMath.pow(2 * springs.energy(), 1.0 / STEPS);              // from 1
-        return Phrase.UNSTABLE.when(made && growth > GROWS && growth < MUCH, LONG, growth);
     }
 }

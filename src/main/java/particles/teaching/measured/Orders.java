@@ -58,14 +58,15 @@ public record Orders(OrderMeasurement bodies, OrderMeasurement clock, OrderMeasu
     /** @return the mistake of errors that do not go to 0, or not as fast as declared, or far slower on one source */
     public Optional<Finding> mistake(Optional<Method> meant, boolean withDrag) {
         return Stream.of(bodies, clock, drag).filter(OrderMeasurement::isFar).map(one -> Phrase.NO_CONVERGENCE.of(where(
-                one), one.smallest()[1], one.smallest()[0])).findFirst().or(() -> meant.flatMap(method -> Stream.of(lower(), withDrag ? drag : clock).filter(one -> one.order()
-                < method.order() - HALF).map(one -> Phrase.LOW_ORDER.of(one.digits(), where(one), method.title(),
-                method.order(), method.isFamily() ? " or more" : "")).findFirst())).or(() -> Phrase.OTHER_ORDER.when(
+                one), one.smallest()[1], one.smallest()[0])).findFirst().or(() -> meant.flatMap(method -> Stream.of(
+                lower(), withDrag ? drag : clock).filter(one -> one.order() < method.order() - HALF).map(one ->
+                Phrase.LOW_ORDER.of(one.digits(), where(one), method.title(), method.order(), method.isFamily()
+                ? " or more" : "")).findFirst())).or(() -> Phrase.OTHER_ORDER.when(
                 Math.abs(bodies.order() - clock.order()) > 3 * HALF, bodies.digits(), clock.digits()));
     }
 
     /** @return the note on a method whose order falls with drag */
     public Optional<Finding> note() {
-        return Phrase.DRAG.when(drag.order() < order() - 0.7, lower().digits(), drag.digits());
+        return Phrase.DRAG.when(drag.order() < order() - 0.7, digits(), drag.digits());
     }
 }

@@ -40,6 +40,8 @@ public enum Phrase {
     ASTRAY(Kind.METHOD, "%s; %s"),
     OTHER_TIME(Kind.TIME, "%s; the measured order is %s"),
     EARLY_OR_LATE(Kind.STYLE, "%s; the measured order is %s all the same"),
+    OTHER_TIMES(Kind.STYLE, "the equation of %s is off by %s where a force changes with the clock: its derivatives"
+            + " are at other times"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),
     NOT_THE_METHOD(Kind.METHOD, "its step is not that of %s"),
     EXPLICIT(Kind.NAME, "it is explicit (evaluations per step: %s): nothing is solved, as in %s"),
@@ -53,7 +55,6 @@ public enum Phrase {
     LOW_ORDER(Kind.METHOD, "the measured order is %s%s, and that of %s is %s%s"),
     OTHER_ORDER(Kind.METHOD, "the measured order is %s where bodies attract each other, and %s where a force changes"
             + " with the clock"),
-    UNSTABLE(Kind.METHOD, "a step of %s s multiplies the amplitude of the spring x'' = -x by %s"),
     UNCONTROLLED(Kind.METHOD, "sub-steps are made, and the error is still %s after a step of %s s, and %s after %s"
             + " steps over the same time"),
     DRAG(Kind.STYLE, "its order is %s, and %s where the acceleration depends on the velocity, as with drag"),

@@ -121,8 +121,12 @@ public final class SolverCheck {
         Agreement agreement = new Agreement(maker);
         Optional<Scheme> own = Reading.of(maker).filter(scheme -> !remembers);
         match = agreement.known(own).filter(one -> !remembers);
-        Fit fit = Fit.of(maker, remembers);
+        Fit fit = Fit.of(maker, remembers, false);
         known = match.map(Match::method).or(fit::known);
+        known.filter(method -> match.isEmpty()).ifPresent(method -> {
+            double off = Fit.of(maker, remembers, true).residual(method);
+            Phrase.OTHER_TIMES.when(off > Fit.SOLVED, method.title(), off).ifPresent(notes::add);
+        });
         multistep = remembers && (known.isPresent() || contract.evaluations(SHORT) == contract.evaluations(8));
         Optional<Method> kind = known.or(() -> Optional.of(Method.MULTISTEP).filter(method -> multistep));
         kind.ifPresent(method -> identity = "This is " + method.title() + ".");
@@ -162,7 +166,6 @@ public final class SolverCheck {
                 this::ordered,
                 this::inTime,
                 this::controlled,
-                () -> implicit.flatMap(method -> control.unstable()),
                 () -> alone.filter(one -> !remembers && one.method().usesEarlier()).map(one ->
                         Phrase.NOTHING_EARLIER.of(one.method().title())),
                 () -> method().filter(method -> declared.get().asked() && known.isEmpty() && (multistep || !method
@@ -181,8 +184,8 @@ public final class SolverCheck {
 
     /** An implicit method solves its equation. */
     private Optional<Finding> solved(Method method, Fit fit) {
-        return read.map(scheme -> Phrase.EXPLICIT.of(contract.evaluations(SHORT), method.title())).or(() -> method.equation().map(
-                equation -> Phrase.EQUATION.of(method.title(), fit.residual(method), Fit.H)));
+        return read.map(scheme -> Phrase.EXPLICIT.of(contract.evaluations(SHORT), method.title())).or(() ->
+                method.equation().map(equation -> Phrase.EQUATION.of(method.title(), fit.residual(method), Fit.H)));
     }
 
     /** Sub-steps control the error, and a method with step-size control makes some. */

@@ -268,6 +268,11 @@ final class Kinds {
                         true)),
                 new Kind("StoermerVerlet", "positions before", Optional.empty(), () -> new Stoermer(1, 0.5, true)),
                 Kind.right("AdaptiveHeun", "nothing backwards", adaptive()),
+                Kind.right("MySolver", "as the slides' loop, the clock first", from((source, h, s) -> {
+                    source.incTime(h);
+                    double[] kicked = move(s, h, 0, slope(source), 0, 1);
+                    source.setState(move(kicked, h, 1, kicked, 0, 0));
+                })), Kind.right("ImplicitEuler", "the clock last", implicit(1, 0)),
                 Kind.right("BackwardEulerSolver", "NaN in stiff springs", backward(40, 1)));
     }
 
@@ -334,6 +339,24 @@ final class Kinds {
                 new Kind("AB2Solver", "no reset", Optional.of(Phrase.KEPT), () -> new Adams(1.5, -0.5, false)),
                 Kind.wrong("BackwardEulerSolver", "half of deltaT", Phrase.FLIGHT, backward(40, 0.5)),
                 Kind.wrong("BackwardEulerSolver", "two rounds", Phrase.EXPLICIT, backward(2, 1)),
+                Kind.wrong("TrapezoidalMidpoint", "the clock at the end", Phrase.LOW_ORDER, implicit(0.5, 1)),
+                Kind.wrong("Fehlberg", "a row that belongs to another time", Phrase.ASTRAY, from((source, h, s) -> {
+                    double[] k = slope(source);
+                    source.incTime(h / 4);
+                    double[] l = slopeAt(source, plus(s, h / 3, k));
+                    source.setState(plus(s, -h, k, 2 * h, l));
+                    source.incTime(h - h / 4);
+                })), Kind.wrong("Mine", "the old state lost", Phrase.ASTRAY, from((source, h, s) -> {
+                    double[] k = slope(source);
+                    source.incTime(h);
+                    source.setState(plus(new double[s.length], h / 2, k, h / 2, slopeAt(source, plus(s, h, k))));
+                })),
+                Kind.wrong("AdaptiveHeun", "moves the clock though it rejects", Phrase.ASTRAY, from((source, h, s) -> {
+                    double[] k = slope(source);
+                    source.incTime(h);
+                    double[] l = slopeAt(source, plus(s, h, k));
+                    source.setState(Math.abs(h * (l[0] - k[0])) < 1e-9 ? plus(s, h / 2, k, h / 2, l) : s);
+                })),
                 Kind.wrong("AdaptiveHeun", "keeps what it rejects", Phrase.FLIGHT, adaptive(Habit.KEEPS_REJECTED)),
                 Kind.wrong("AdaptiveHeun", "error of one particle", Phrase.NO_CONTROL, adaptive(Habit.LOOKS_AT_ONE)),
                 Kind.wrong("AdaptiveHeun", "an endless loop at NaN", Phrase.NAN, adaptive(Habit.WAITS_FOR_NAN)),
@@ -407,7 +430,8 @@ final class Kinds {
                     source.setState(end);
                     source.incTime(Arrays.equals(s, end) ? 0 : h);
                 })), Kind.wrong("Mine", "midpoint, the clock at the end", Phrase.ROW, atOldClock(0.5)),
-                Kind.wrong("Mine", "with 0.6, the clock at the end", Phrase.OTHER_TIME, atOldClock(0.6)), Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
+                Kind.wrong("Mine", "with 0.6, the clock at the end", Phrase.OTHER_TIME, atOldClock(0.6)),
+                Kind.wrong("AB2Solver", "a static array", Phrase.NOT_REPEATABLE, inAStaticArray(new double[1][])));
     }
 
     /** A method of order 2 with a trial step of this part of deltaT, but for the clock. */

@@ -135,6 +135,8 @@ class SolverCheckTest {
         for (SolverVerdict verdict : verdicts(method, Kinds.implicit(place, clock)::solver)) {
             assertEquals(List.of(), verdict.wrong());
             assertEquals(Optional.of(method), verdict.method());
+            assertEquals(clock != place, verdict.findings().stream().anyMatch(finding -> finding.cause()
+                    == Phrase.OTHER_TIMES));
         }
     }
 
