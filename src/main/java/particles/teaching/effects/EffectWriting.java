@@ -40,11 +40,10 @@ record EffectWriting(EffectTrial trial) {
         double[] copy = state.clone();
         trial.force(copy);
         if (!Arrays.equals(copy, state)) {
-            return wrong(Kind.STATE, "addForces changes the state, which is there to be read only");
+            return wrong(Kind.STATE, "addForces changes the state");
         }
         if (!Arrays.equals(force, trial.force())) {
-            return wrong(Kind.STATE, "two calls at the same state and time give different forces: something is random,"
-                    + " or kept from the call before");
+            return wrong(Kind.STATE, "two calls at the same state and time give different forces");
         }
         double[] filled = new double[force.length];
         Arrays.fill(filled, 1);
@@ -53,21 +52,18 @@ record EffectWriting(EffectTrial trial) {
         for (int k = 0; k < force.length; k++) {
             double rounding = 1e-12 * Math.max(1, Math.abs(force[k]));
             if (!Double.isFinite(force[k])) {
-                return wrong(Kind.METHOD, trial.entry(k) + " is " + force[k]
-                        + " at a state that is nothing special: look for a division by 0");
+                return wrong(Kind.METHOD, trial.entry(k) + " is " + force[k] + ": look for a division by 0");
             }
             if (k % 6 < 3 && force[k] != 0) {
                 return wrong(Kind.STATE, trial.entry(k) + " is written to entry " + k + ", where the position stands;"
-                        + " it belongs where the velocity stands, entry " + (k + 3));
+                        + " it belongs to entry " + (k + 3));
             }
             if (Math.abs(filled[k] - 1 - force[k]) > rounding) {
-                return wrong(Kind.STATE, trial.entry(k) + " is set and not added (= instead of +=):"
-                        + " the forces of other effects are lost");
+                return wrong(Kind.STATE, trial.entry(k) + " is set and not added (= instead of +=)");
             }
             if (Math.abs(parts[k] - force[k]) > rounding) {
-                return wrong(Kind.STATE, Formula.text("%s is %s when the particles are asked for in two ranges, one"
-                        + " after the other, and %s at once: the loop has to go from 'from' to 'to', and over nothing"
-                        + " else", trial.entry(k), parts[k], force[k]));
+                return wrong(Kind.STATE, Formula.text("%s is %s when the particles are asked for in two ranges, and"
+                        + " %s at once: the loop has to go from 'from' to 'to'", trial.entry(k), parts[k], force[k]));
             }
         }
         return Optional.empty();
@@ -99,7 +95,6 @@ record EffectWriting(EffectTrial trial) {
             double spread = StrictMath.pow(10, j % 5 - 2);
             Arrays.setAll(at, k -> k % 6 > 2 && !trial.isFree(k) ? 0 : spread * (random.nextDouble() - 0.5));
         }
-        return wrong(Kind.UNWRITTEN, "there is no force on any particle, in " + (TRIALS + 1)
-                + " states of all sizes: the law's formula is still missing");
+        return wrong(Kind.UNWRITTEN, "there is no force on any particle, in " + (TRIALS + 1) + " states");
     }
 }
