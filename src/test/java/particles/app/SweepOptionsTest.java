@@ -66,9 +66,9 @@ class SweepOptionsTest {
             springs[0].damping = 1 .. 5 log 1 | option -Pvary: in '1 .. 5 log 1', log has to be followed by the number
             springs[0].damping = 1 .. 5 log 2.5 | option -Pvary: in '1 .. 5 log 2.5', log has to be followed by the
             springs[0].damping = 0.001 .. 0.0010001 log 100 | option -Pvary: '0.001 .. 0.0010001 log 100' has too \
-            many values: with 6 digits, some are equal
+            many values: with the digits shown, some are equal
             springs[0].damping = 0 .. 1 by 1e-9 | option -Pvary: '0 .. 1 by 1e-9' has too many values
-            springs[0].damping = 0 .. 1e999999999 by 1 | option -Pvary: '1e999999999' has too many digits
+            springs[0].damping = 0 .. 1e999999999 by 1 | option -Pvary: '1e999999999' is too large
             springs[0].damping = 1, 1        | option -Pvary: a value of 'springs[0].damping' appears twice
             springs[0].damping = 1,, 2       | option -Pvary: a value of 'springs[0].damping' is empty
             springs[0].damping =             | option -Pvary: 'springs[0].damping =' has to be KEY = VALUE, VALUE ...

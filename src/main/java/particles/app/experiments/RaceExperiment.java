@@ -64,9 +64,9 @@ final class RaceExperiment {
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
         return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
-                + " derivative as rk4 at the scene's step, or as the solver that cannot do with so few, to within one of"
-                + " its own steps or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that fails, or goes far from"
-                + " where it ever is, leaves the race."),
+                + " derivative as rk4 at the scene's step, or as the solver that cannot do with so few, to within one"
+                + " of its own steps or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that"
+                + " fails, or goes far from where it ever is, leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """

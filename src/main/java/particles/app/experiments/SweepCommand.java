@@ -36,11 +36,6 @@ import picocli.CommandLine.Option;
 @Command(name = "sweep", description = "Runs a scene over values of its keys, and charts what is measured of each run.",
         footer = """
 
-        Measures: x of PARTICLE at the end (or y, z, vx, vy, vz, speed), its min and max;
-          amplitude x of PARTICLE, period x of PARTICLE; error, energy, kinetic energy, energy lost,
-          drift, largest drift, work of FORCE; evaluations, steps, CPU time; first impact, impacts;
-          longest stable deltaT. The last column says how each run ended.
-
         A run that is in FOLDER is not computed again. On several cores or machines, compute parts and
         collect them; every command has the same scene, keys, values and measures:
           S="build/install/desolver/bin/desolver sweep --scene=3"          # after: gradle installDist

@@ -2,14 +2,12 @@ package particles.experiments.grid;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.spec.Setting;
 import particles.view.Axis;
 
@@ -31,8 +29,10 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
     private static final String NUMBER = "\\s*(\\S+)\\s*";
     private static final Pattern RANGE = Pattern.compile(NUMBER + "\\.\\." + NUMBER + "(?:\\s(by|log)" + NUMBER + ")?");
     private static final Pattern LIKE_RANGE = Pattern.compile("[^'\"\\[]*\\.\\.[^'\"]*");
-    /** Values in a constant ratio are rounded to this many digits, so that they can be read and typed. */
-    private static final MathContext DIGITS = new MathContext(6);
+    /** Values in a constant ratio have digits that can be read and typed; all others are as exact as sums are. */
+    private static final MathContext READABLE = new MathContext(6);
+    private static final MathContext EXACT = new MathContext(14);
+    private static final double ROUNDING = 1e-12;
 
     /**
      * @param text axes as they were typed
@@ -81,63 +81,52 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
             throw new IllegalArgumentException("'" + values + "' is not a range such as 0 .. 40 by 5 or"
                     + " 1e-4 .. 1e-1 log 13");
         }
-        BigDecimal first = number(range.group(1));
-        BigDecimal last = number(range.group(2));
+        double first = number(range.group(1));
+        double last = number(range.group(2));
+        double by = number(range.group(4));
         boolean log = range.group(3).equals("log");
-        BigDecimal by = number(range.group(4));
-        return new GridAxis(key, (log ? ratios(values, first, last, by) : steps(values, first, last, by))
-                .map(GridAxis::digits).toList(), log, "");
-    }
-
-    private static Stream<BigDecimal> steps(String range, BigDecimal first, BigDecimal last, BigDecimal by) {
-        if (by.signum() == 0 || by.signum() != last.subtract(first).signum()) {
-            throw new IllegalArgumentException("in '" + range + "' the step does not lead to the last value");
-        }
-        BigDecimal steps = last.subtract(first).divide(by, 0, RoundingMode.FLOOR);
-        if (steps.compareTo(BigDecimal.valueOf(MOST_POINTS)) > 0) {
-            throw new IllegalArgumentException("'" + range + "' has too many values; at most " + MOST_POINTS);
-        }
-        return IntStream.rangeClosed(0, steps.intValueExact()).mapToObj(k ->
-                first.add(by.multiply(BigDecimal.valueOf(k))));
-    }
-
-    private static Stream<BigDecimal> ratios(String range, BigDecimal first, BigDecimal last, BigDecimal count) {
-        if (first.signum() <= 0 || last.signum() <= 0 || first.compareTo(last) == 0) {
-            throw new IllegalArgumentException("a logarithmic range such as '" + range
+        if (log && !(first > 0 && last > 0 && first != last)) {
+            throw new IllegalArgumentException("a logarithmic range such as '" + values
                     + "' has two different ends over 0");
         }
-        if (count.stripTrailingZeros().scale() > 0 || count.compareTo(BigDecimal.valueOf(2)) < 0
-                || count.compareTo(BigDecimal.valueOf(MOST_POINTS)) > 0) {
-            throw new IllegalArgumentException("in '" + range + "', log has to be followed by the number of values,"
-                    + " from 2 to " + MOST_POINTS);
+        if (log && !(by >= 2 && by == Math.rint(by))) {
+            throw new IllegalArgumentException("in '" + values + "', log has to be followed by the number of values,"
+                    + " 2 or more");
         }
-        int n = count.intValueExact() - 1;
-        double ratio = StrictMath.log(last.doubleValue() / first.doubleValue());
-        List<BigDecimal> values = IntStream.rangeClosed(0, n).mapToObj(k -> k == 0 ? first : k == n ? last
-                : BigDecimal.valueOf(first.doubleValue() * StrictMath.exp(ratio * k / n)).round(DIGITS)).toList();
-        if (IntStream.range(0, n).anyMatch(k -> values.get(k + 1).compareTo(values.get(k))
-                != last.compareTo(first))) {
-            throw new IllegalArgumentException("'" + range + "' has too many values: with " + DIGITS.getPrecision()
-                    + " digits, some are equal");
+        double steps = log ? by - 1 : Math.floor((last - first) / by * (1 + ROUNDING));
+        if (!(steps >= 0 && Double.isFinite(steps))) {
+            throw new IllegalArgumentException("in '" + values + "' the step does not lead to the last value");
         }
-        return values.stream();
+        if (steps >= MOST_POINTS) {
+            throw new IllegalArgumentException("'" + values + "' has too many values; at most " + MOST_POINTS);
+        }
+        double ratio = StrictMath.log(last / first);
+        List<String> list = IntStream.rangeClosed(0, (int) steps).mapToObj(k -> !log ? digits(first + k * by, EXACT)
+                : k == steps ? digits(last, EXACT) : digits(first * StrictMath.exp(ratio * k / steps), READABLE))
+                .toList();
+        if (new LinkedHashSet<>(list).size() < list.size()) {
+            throw new IllegalArgumentException("'" + values + "' has too many values: with the digits shown, some are"
+                    + " equal");
+        }
+        return new GridAxis(key, list, log, "");
     }
 
-    private static BigDecimal number(String text) {
+    private static double number(String text) {
         try {
-            BigDecimal number = new BigDecimal(text);
-            if (Math.abs(number.scale()) < 100 && number.precision() < 100) {       // else a sum takes for ever
+            double number = Double.parseDouble(text);
+            if (Double.isFinite(number)) {
                 return number;
             }
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException("'" + text + "' is not a number", e);
         }
-        throw new IllegalArgumentException("'" + text + "' has too many digits");
+        throw new IllegalArgumentException("'" + text + "' is too large");
     }
 
     /** The shortest digits: 0.05, 20, 1E-12. */
-    private static String digits(BigDecimal value) {
-        BigDecimal shortest = value.signum() == 0 ? BigDecimal.ZERO : value.stripTrailingZeros();
+    private static String digits(double value, MathContext digits) {
+        BigDecimal shortest = value == 0 ? BigDecimal.ZERO : BigDecimal.valueOf(value).round(digits)
+                .stripTrailingZeros();
         return shortest.scale() < 0 && shortest.precision() - shortest.scale() <= 12 ? shortest.toPlainString()
                 : shortest.toString();
     }

@@ -7,6 +7,7 @@ import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;
+import particles.experiments.runs.SolverChoice;
 
 /**
  * Measures the amplification of a solver's real code: the factor |R| by which one step multiplies the solution of the
@@ -50,6 +51,11 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
             solver.reset();
             return solver;
         }, info.secondOrder(), info.family() == Family.MULTISTEP);
+    }
+
+    /** @return the amplification of a solver, of your own on springs */
+    static Amplification of(SolverChoice solver) {
+        return solver.info().map(Amplification::of).orElseGet(() -> ofOwn(() -> solver.create(Double.NaN)));
     }
 
     /**

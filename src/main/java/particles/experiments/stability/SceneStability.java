@@ -59,8 +59,7 @@ public final class SceneStability {
             ProgressListener progress) {
         Particles particles = atStart(scene).getParticles();
         return progress.onAllCores(solvers, SolverChoice::label, solver -> {
-            SpectrumLimit limit = new SpectrumLimit(solver.info().map(Amplification::of).orElseGet(() ->
-                    Amplification.ofOwn(() -> solver.create(Double.NaN))), spectrum);
+            SpectrumLimit limit = new SpectrumLimit(Amplification.of(solver), spectrum);
             Mode most = limit.growingMost(scene.deltaT());
             double deltaT = limit.deltaT();
             return new Limit(solver, deltaT, limit.factor(most, scene.deltaT()) - 1, deltaT == Double.POSITIVE_INFINITY

@@ -13,12 +13,6 @@ import particles.experiments.stability.Spectrum.Mode;
  * implicit methods, and for symplectic ones if the damping matrix has the modes of the stiffness matrix.
  */
 final class SpectrumLimit {
-    /** A smaller growth is round-off or Newton's tolerance. */
-    private static final double DECAY = 1e-12;
-    /**
-     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that can be detected.
-     */
-    private static final double SHORTEST = 1e-5;
     /** Modes whose directions in the plane agree to this share a limit. */
     private static final double SAME_DIRECTION = 1e-7;
 
@@ -67,24 +61,7 @@ final class SpectrumLimit {
         List<Long> direction = List.of(Math.round(mode.re() / mode.size() / SAME_DIRECTION),
                 mode.im() == 0 && amplification.ofSprings()
                         ? Math.round(mode.damping() / mode.size() / SAME_DIRECTION) : -1);
-        return known.computeIfAbsent(direction, unknown -> measure(mode));
-    }
-
-    private double measure(Mode mode) {
-        double unit = 1 / mode.size();
-        StabilityLimit limit = StabilityLimit.measure(h -> factor(mode, h * unit));
-        if (limit.value() > 0) {
-            return limit.value();
-        }
-        double unstable = StabilityLimit.SMALL;
-        double stable = unstable / 2;
-        while (factor(mode, stable * unit) > 1 - DECAY) {
-            unstable = stable;
-            stable /= 2;
-            if (stable < SHORTEST) {
-                return 0;
-            }
-        }
-        return StabilityLimit.bisected(stable, unstable, 1e-6, h -> factor(mode, h * unit) <= 1);
+        return known.computeIfAbsent(direction, unknown ->
+                StabilityLimit.measure(h -> factor(mode, h / mode.size())).value());
     }
 }

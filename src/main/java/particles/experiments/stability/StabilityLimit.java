@@ -8,6 +8,7 @@ import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
 import particles.view.DataTable;
 
 /**
@@ -23,6 +24,12 @@ public record StabilityLimit(double value, double growth) {
     private static final double LEAST_GROWTH = 1e-14;
     /** A smaller growth shows that every step grows, but its digits are round-off. */
     static final double ROUND_OFF = 1e-12;
+    /** A decay weaker than this may be round-off or Newton's tolerance. */
+    private static final double DECAY = 1e-12;
+    /**
+     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that can be detected.
+     */
+    private static final double SHORTEST = 1e-5;
     private static final double LARGEST = 1e6;
     private static final double FACTOR = 1.02;
     private static final double ACCURACY = 1e-9;
@@ -39,7 +46,7 @@ public record StabilityLimit(double value, double growth) {
     public static StabilityLimit measure(DoubleUnaryOperator amplification) {
         double growth = amplification.applyAsDouble(SMALL) - 1;
         if (growth > LEAST_GROWTH) {
-            return new StabilityLimit(0, growth);
+            return new StabilityLimit(below(amplification), growth);
         }
         double stable = SMALL;
         double unstable = SMALL;
@@ -53,8 +60,22 @@ public record StabilityLimit(double value, double growth) {
         return new StabilityLimit(bisected(stable, unstable, ACCURACY, h -> isStable(amplification, h)), growth);
     }
 
+    /** The limit if there is growth at {@link #SMALL}: damping, if there is any, is stronger in shorter steps. */
+    private static double below(DoubleUnaryOperator amplification) {
+        double unstable = SMALL;
+        double stable = SMALL / 2;
+        while (amplification.applyAsDouble(stable) > 1 - DECAY) {
+            unstable = stable;
+            stable /= 2;
+            if (stable < SHORTEST) {
+                return 0;
+            }
+        }
+        return bisected(stable, unstable, 1e-6, h -> amplification.applyAsDouble(h) <= 1);
+    }
+
     /** @return the largest h that is known to be stable, when the next one that is not is this close */
-    static double bisected(double stable, double unstable, double accuracy, DoublePredicate isStable) {
+    private static double bisected(double stable, double unstable, double accuracy, DoublePredicate isStable) {
         double low = stable;
         double high = unstable;
         while (high - low > accuracy * low) {
@@ -126,7 +147,15 @@ public record StabilityLimit(double value, double growth) {
     }
 
     static StabilityLimit imaginary(SolverInfo info) {
-        Amplification amplification = Amplification.of(info);
+        return imaginary(Amplification.of(info));
+    }
+
+    /** @return the limit of an undamped vibration */
+    public static StabilityLimit imaginary(SolverChoice solver) {
+        return imaginary(Amplification.of(solver));
+    }
+
+    private static StabilityLimit imaginary(Amplification amplification) {
         return measure(h -> amplification.at(0, h));
     }
 
