@@ -128,8 +128,8 @@ class ArchitectureTest {
             particles.output.raster:       deSolvers.text particles.law particles.view java.awt
             particles.output.report:       deSolvers.catalog deSolvers.text particles.output.charts
                                            particles.output.files particles.view javax.imageio com.samskivert
-            particles.output.usd:          particles particles.law particles.output.files particles.output.painters
-                                           particles.output.raster particles.view
+            particles.output.usd:          particles.law particles.output.files particles.output.frames
+                                           particles.output.painters particles.output.raster particles.view
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
             particles.rules:               deSolvers.text particles particles.effects.neighbours
                                            particles.effects.springs particles.law particles.reactions particles.view

@@ -7,6 +7,7 @@ public final class EffectCatalog {
     /** All effects in the order in which they are built: wind comes before drag, which uses it. */
     public static final List<EffectKind> ALL = List.of(
             new Gravity.Keys(),
+            new Push.Keys(),
             new GustyWind.Keys(),
             new TurbulentWind.Keys(),
             new Vortex.Keys(),
@@ -15,7 +16,6 @@ public final class EffectCatalog {
             new PointAttraction.Keys(),
             new Gravitation.Keys(),
             new MagneticField.Keys(),
-            new Push.Keys(),
             new Muscles.Keys(),
             new Cohesion.Keys(),
             new Repulsion.Keys(),

@@ -1,8 +1,8 @@
 package particles.effects;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.law.ConstantForce;
 import particles.law.DifferentiableEffect;
@@ -20,25 +20,19 @@ import particles.spec.VectorType;
  */
 public final class Push implements ConstantForce, DifferentiableEffect {
     private final Particles particles;
+    private final Set<String> pushed;
     private final Vector3 force;
-    private BitSet pushed;
 
     /**
      * @param particles all particles
-     * @param pushed    the indices of those that are pushed
+     * @param pushed    the ids of those that are pushed
      * @param force     F (N)
      * @throws IllegalArgumentException if F is not finite
      */
-    public Push(Particles particles, IntStream pushed, Vector3 force) {
+    public Push(Particles particles, Set<String> pushed, Vector3 force) {
         this.particles = particles;
-        this.pushed = set(pushed);
+        this.pushed = pushed;
         this.force = force.requireFinite("push");
-    }
-
-    private static BitSet set(IntStream indices) {
-        BitSet set = new BitSet();
-        indices.forEach(set::set);
-        return set;
     }
 
     @Override
@@ -53,23 +47,21 @@ public final class Push implements ConstantForce, DifferentiableEffect {
 
     @Override
     public void addForces(double[] state, double time, double[] forces, int from, int to) {
-        for (int i = pushed.nextSetBit(from); i >= 0 && i < to; i = pushed.nextSetBit(i + 1)) {
-            int v = Particles.STRIDE * i + 3;
-            forces[v] += force.x();
-            forces[v + 1] += force.y();
-            forces[v + 2] += force.z();
+        for (int i = from, v = Particles.STRIDE * from + 3; i < to; i++, v += Particles.STRIDE) {
+            if (isPushed(i)) {
+                Vector3.at(forces, v).plus(force).put(forces, v);
+            }
         }
+    }
+
+    private boolean isPushed(int i) {
+        return pushed.contains(particles.id(i));
     }
 
     /** {@inheritDoc} Fixed particles, which cannot move, are left out. */
     @Override
     public double getPotentialEnergy(double[] state, double time) {
-        return 0 - particles.sumOfFree(i -> pushed.get(i) ? force.dot(Vector3.at(state, Particles.STRIDE * i)) : 0);
-    }
-
-    @Override
-    public void reindex(int[] newIndex) {
-        pushed = set(pushed.stream().map(i -> newIndex[i]).filter(i -> i >= 0));
+        return 0 - particles.sumOfFree(i -> isPushed(i) ? force.dot(Vector3.at(state, Particles.STRIDE * i)) : 0);
     }
 
     /** A push in scenes. */
@@ -87,15 +79,10 @@ public final class Push implements ConstantForce, DifferentiableEffect {
 
         @Override
         public void build(Values values, EffectContext scene) {
-            List<String> ids = values.get(PARTICLES);
-            IntStream pushed = ids.isEmpty() ? IntStream.range(0, scene.particles().count())
-                    : ids.stream().flatMapToInt(id -> find(id, scene.particles()));
-            scene.add(new Push(scene.particles(), pushed, values.get(FORCE)));
-        }
-
-        private static IntStream find(String id, Particles particles) {
-            return IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)
-                    || particles.id(i).startsWith(id + "["));
+            List<String> named = values.get(PARTICLES);
+            scene.add(new Push(scene.particles(), IntStream.range(0, scene.particles().count())
+                    .mapToObj(scene.particles()::id).filter(id -> named.isEmpty() || named.contains(id)
+                    || named.contains(id.split("\\[")[0])).collect(Collectors.toSet()), values.get(FORCE)));
         }
 
         @Override

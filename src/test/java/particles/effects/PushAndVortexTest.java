@@ -4,7 +4,7 @@ import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.RK4Solver;
-import java.util.stream.IntStream;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.law.Vector3;
@@ -18,7 +18,7 @@ class PushAndVortexTest {
         for (double mass : new double[] {1, 2, 1}) {
             system.addParticle("p" + system.getParticles().count(), mass, Vector3.ZERO, Vector3.ZERO, false);
         }
-        Push push = new Push(system.getParticles(), IntStream.of(0, 1), new Vector3(3, 0, 0));
+        Push push = new Push(system.getParticles(), Set.of("p0", "p1"), new Vector3(3, 0, 0));
         system.addEffect(push);
         double start = energy(system);
         new RK4Solver().stepState(system, 0.5);

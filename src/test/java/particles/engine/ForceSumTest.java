@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
@@ -74,7 +75,8 @@ class ForceSumTest {
     @Test
     void constantForcesFollowTheParticles() {
         system.addEffect(new Gravity(particles, G));
-        system.addEffect(new Push(particles, IntStream.of(1, 2, N - 1), G));
+        system.addEffect(new Push(particles, IntStream.of(1, 2, N - 1).mapToObj(particles::id)
+                .collect(Collectors.toSet()), G));
         system.addEffect(AirDrag.linear(particles, 0.25, Wind.STILL));
         assertArrayEquals(byLoops(), derivative());
         state[3] = 5;

@@ -11,6 +11,7 @@ import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.output.files.OutputFile;
 import particles.output.files.PngEncoder;
+import particles.output.frames.FrameDrawer;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameRenderer.FrameSetup;
@@ -110,8 +111,12 @@ public final class GalleryCommand extends ProgramCommand {
         long count = Math.round(Math.max(described.output().frames().rate() * moment, 20));
         int[] last = new int[WIDTH * HEIGHT];
         FrameSink keep = (index, rgb) -> () -> System.arraycopy(rgb, 0, last, 0, last.length);
-        try (FrameObserver frames = new FrameObserver(renderer, count / moment, List.of(keep))) {
-            frames.drawOnlyEvery((int) count);          // the first, which decides sizes, and the last
+        try (FrameDrawer drawer = new FrameDrawer(renderer, List.of(keep))) {
+            FrameObserver frames = new FrameObserver(stage.look().style(), count / moment, List.of((frame, state) -> {
+                if (frame % count == 0) {               // the first, which decides sizes, and the last
+                    drawer.write(frame, state);
+                }
+            }));
             scene.simulation().addObserver(frames);
             scene.simulation().run();
         }

@@ -19,14 +19,14 @@ import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
+import particles.output.frames.FrameDrawer;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.LastSteps;
+import particles.output.frames.MotionFile;
 import particles.output.report.Picture;
-import particles.output.usd.MotionFile;
-import particles.output.usd.MotionRecorder;
 import particles.output.usd.ObjFrames;
 import particles.output.usd.UsdFile;
 import particles.scene.Scene;
@@ -57,10 +57,9 @@ final class RunObservers implements AutoCloseable {
     private final EnergyRecorder energy;
     private final List<Observer> others = new ArrayList<>();
     private final List<MotionFile> motion = new ArrayList<>();
-    private final MotionRecorder recorder;
+    private final FrameObserver frames;
     private final Optional<Replay> replay;
     private final Optional<PhaseHistory> phase;
-    private Optional<FrameObserver> frames = Optional.empty();
     private Consumer<String> end = headline -> { };
 
     /** The files of a run that are only written if they are asked for. */
@@ -108,21 +107,22 @@ final class RunObservers implements AutoCloseable {
         phase.ifPresent(others::add);
         if (output.frames().drawn() || extras.usd) {
             Camera camera = CameraFinder.find(description);
+            FrameSetup stage = new FrameSetup(camera, description.drawing().look(), scene.scenery(),
+                    description.title(), caption());
             if (output.frames().drawn()) {
-                addFrames(camera, output.frames());
+                addFrames(stage, output.frames());
             }
             if (extras.usd) {
-                motion.add(new UsdFile(folder, new UsdFile.Setup(description.title() + ": " + caption(), camera,
-                        output.frames().width(), output.frames().height(), output.frames().playbackRate(),
-                        description.drawing().look(), scene.scenery().surfaces())));
+                motion.add(new UsdFile(folder, stage, output.frames().width(), output.frames().height(),
+                        output.frames().playbackRate()));
             }
         }
         if (extras.obj) {
             motion.add(new ObjFrames(folder, scene.scenery().surfaces()));
         }
-        recorder = new MotionRecorder(output.frames().rate(), description.drawing().look().style().marks(), motion);
+        frames = new FrameObserver(description.drawing().look().style(), output.frames().rate(), motion);
         if (!motion.isEmpty()) {
-            others.add(recorder);
+            others.add(frames);
         }
     }
 
@@ -132,10 +132,8 @@ final class RunObservers implements AutoCloseable {
         energy.attachTo(scene.simulation(), others);
     }
 
-    /** Adds observers that draw frames and make the animation and film, if wanted. */
-    private void addFrames(Camera camera, Frames format) {
-        FrameSetup stage = new FrameSetup(camera, description.drawing().look(), scene.scenery(),
-                description.title(), caption());
+    /** Has frames drawn, and makes the animation and film, if wanted. */
+    private void addFrames(FrameSetup stage, Frames format) {
         int decimals = (int) Math.max(0, Math.ceil(Math.log10(format.rate())));
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(FrameSink.png(folder, format.width(), format.height())));
@@ -146,12 +144,11 @@ final class RunObservers implements AutoCloseable {
         if (format.film()) {
             sinks.add(new Film(folder, format.width(), format.height(), format.playbackRate()));
         }
-        FrameObserver observer = new FrameObserver(renderer, format.rate(), sinks);
-        frames = Optional.of(observer);
-        others.add(observer);
-        LastSteps last = new LastSteps(camera, format.width(), format.height());
+        FrameDrawer drawer = new FrameDrawer(renderer, sinks);
+        motion.add(drawer);
+        LastSteps last = new LastSteps(stage.camera(), format.width(), format.height());
         others.add(last);
-        end = headline -> observer.replay(scene.system(), last, headline);
+        end = headline -> drawer.replay(scene.system(), last, headline, format.rate());
     }
 
     /**
@@ -170,10 +167,8 @@ final class RunObservers implements AutoCloseable {
     /** Completes the files written during the run, even if it ended early. */
     @Override
     public void close() {
-        try (recorder) {
+        try (frames) {
             trajectory.close();
-        } finally {
-            frames.ifPresent(FrameObserver::close);
         }
     }
 

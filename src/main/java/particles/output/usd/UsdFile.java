@@ -13,6 +13,8 @@ import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.output.files.Numbers;
 import particles.output.files.OutputFolder;
+import particles.output.frames.FrameRenderer.FrameSetup;
+import particles.output.frames.MotionFile;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
 import particles.output.painters.SurfacePainter.IntactTriangles;
@@ -20,7 +22,6 @@ import particles.output.painters.VisibilityFilter;
 import particles.output.raster.CameraProjection;
 import particles.view.Camera;
 import particles.view.RenderOptions;
-import particles.view.Scenery.Surface;
 import particles.view.SpringView.SpringList;
 
 /**
@@ -63,7 +64,8 @@ public final class UsdFile implements MotionFile {
     /** The farthest and the nearest that the camera sees, relative to its distance from the target. */
     private static final double FAR = 1000;
 
-    private final Setup setup;
+    private final FrameSetup setup;
+    private final double rate;
     private final UsdStage stage;
     private final CameraProjection view;
     private final VisibilityFilter shown;
@@ -75,34 +77,27 @@ public final class UsdFile implements MotionFile {
     private int now = -1;
 
     /**
-     * What does not change in a run.
+     * Begins the file.
      *
-     * @param title    what the stage shows
-     * @param camera   the camera
-     * @param width    the width of pictures (pixels)
-     * @param height   the height of pictures (pixels)
-     * @param rate     frames per second
-     * @param look     the render options
-     * @param surfaces the surfaces that particles span
+     * @param setup  the settings of all frames
+     * @param width  the width of pictures (pixels)
+     * @param height the height of pictures (pixels)
+     * @param rate   frames per second
      */
-    public record Setup(String title, Camera camera, int width, int height, double rate, RenderOptions look,
-            List<Surface> surfaces) {
-    }
-
-    /** Begins the file. */
-    public UsdFile(OutputFolder folder, Setup setup) {
+    public UsdFile(OutputFolder folder, FrameSetup setup, int width, int height, double rate) {
         this.setup = setup;
+        this.rate = rate;
         stage = new UsdStage(folder, FILE);
-        view = new CameraProjection(setup.camera, setup.width, setup.height);
-        shown = new VisibilityFilter(setup.look, setup.surfaces);
-        triangles = setup.surfaces.stream().map(IntactTriangles::new).toList();
+        view = new CameraProjection(setup.camera(), width, height);
+        shown = new VisibilityFilter(setup.look(), setup.scenery().surfaces());
+        triangles = setup.scenery().surfaces().stream().map(IntactTriangles::new).toList();
     }
 
     @Override
     public void write(int frame, FrameState state) {
         if (now < 0) {
             first = frame;
-            sizes = DrawnSizes.of(state, setup.look, view.viewHeight);
+            sizes = DrawnSizes.of(state, setup.look(), view.viewHeight);
         }
         now = frame;
         int[] inSurfaces = IntStream.range(0, triangles.size()).flatMap(k -> writeMesh(k, state)).sorted().toArray();
@@ -119,8 +114,8 @@ public final class UsdFile implements MotionFile {
 
     /** Writes a surface, and returns its particles. */
     private IntStream writeMesh(int k, FrameState state) {
-        String prim = MESH.formatted(k, colour(setup.look.colours().front()));
-        int[] particles = Arrays.stream(setup.surfaces.get(k).triangles())
+        String prim = MESH.formatted(k, colour(setup.look().colours().front()));
+        int[] particles = Arrays.stream(setup.scenery().surfaces().get(k).triangles())
                 .filter(i -> i < state.particles()).sorted().distinct().toArray();
         int[] corners = triangles.get(k).in(state);
         writePoints(prim, state, particles);
@@ -133,7 +128,7 @@ public final class UsdFile implements MotionFile {
         List<String> ids = List.of(state.structure().ids());
         numbers.keySet().retainAll(Set.copyOf(ids));
         ids.forEach(id -> numbers.computeIfAbsent(id, key -> born++));
-        RenderOptions.Colours colours = setup.look.colours();
+        RenderOptions.Colours colours = setup.look().colours();
         writePoints(BALLS, state, balls);
         writeWidths(BALLS, balls.length, k -> state.structure().radius(balls[k], sizes.ball()));
         put(BALLS, "int64[] ids", balls.length, k -> numbers.get(ids.get(balls[k])));
@@ -180,7 +175,7 @@ public final class UsdFile implements MotionFile {
 
     @Override
     public void close() {
-        Camera camera = setup.camera;
+        Camera camera = setup.camera();
         double distance = camera.position().minus(camera.target()).length();
         // an orthographic camera's aperture is in tenths of a metre
         double film = camera.perspective() ? FILM : 10 * camera.height();
@@ -212,10 +207,10 @@ public final class UsdFile implements MotionFile {
                             matrix4d xformOp:transform = ((%s, 0), (%s, 0), (%s, 0), (%s, 1))
                             uniform token[] xformOpOrder = ["xformOp:transform"]
                         }
-                    """.formatted(Stream.concat(Stream.of(quote(setup.title), first, now, number(setup.rate),
-                    camera.perspective() ? "perspective" : "orthographic",
+                    """.formatted(Stream.concat(Stream.of(quote(setup.title() + ": " + setup.caption()), first, now,
+                    number(rate), camera.perspective() ? "perspective" : "orthographic",
                     number(FILM / 2 / Math.tan(Math.toRadians(camera.fieldOfView()) / 2)), number(film),
-                    number(film * setup.width / setup.height), number(distance / FAR), number(distance * FAR)),
+                    number(film * view.width / view.height), number(distance / FAR), number(distance * FAR)),
                     Stream.of(view.right, view.up, view.back, camera.position()).map(UsdFile::coordinates))
                     .toArray()));
         }

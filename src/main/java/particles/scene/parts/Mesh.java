@@ -2,11 +2,14 @@ package particles.scene.parts;
 
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Comparator;
+import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -27,30 +30,10 @@ final class Mesh implements ParticleLayout {
     /** A triangle is torn when fewer than two of its edges are springs: larger faces have triangles with only one. */
     private static final int MOST_CORNERS_TO_TEAR = 4;
 
-    /**
-     * A side of a face.
-     *
-     * @param from   the vertex where it begins
-     * @param to     the next one
-     * @param before the corner before the first
-     * @param after  the corner after the second
-     * @param line   the line of the face in the file
-     */
-    private record Side(int from, int to, int before, int after, int line) {
-        long edge() {
-            return pair(from, to);
-        }
-
-        /** @return the other neighbour of one of its ends in the face */
-        int beside(int end) {
-            return end == from ? before : after;
-        }
-    }
-
     private final String id;
     private final Contents contents;
+    private final List<Polygon> faces;
     private final Vector3[] positions;
-    private final List<Side> sides;                     // those of one edge are next to each other
     private final double[] shares;                      // in the area, which each face shares among its corners
 
     /**
@@ -61,59 +44,46 @@ final class Mesh implements ParticleLayout {
     Mesh(String id, Contents contents, UnaryOperator<Vector3> place) {
         this.id = id;
         this.contents = contents;
-        positions = contents.vertices().stream().map(place).toArray(Vector3[]::new);
-        sides = contents.faces().stream().flatMap(Mesh::sides).sorted(Comparator.comparingLong(Side::edge)).toList();
-        double whole = contents.faces().stream().mapToDouble(face -> area(face.corners())).sum();
+        faces = contents.polygons().stream().filter(Polygon::isFace).toList();
+        positions = contents.vertices().stream().map(vertex -> place.apply(vertex.position())).toArray(Vector3[]::new);
+        double whole = faces.stream().mapToDouble(this::area).sum();
         shares = new double[positions.length];
-        Arrays.fill(shares, contents.faces().isEmpty() ? 1.0 / shares.length : 0);
-        for (Polygon face : contents.faces()) {
-            double share = area(face.corners()) / face.corners().length / whole;
-            Arrays.stream(face.corners()).forEach(n -> shares[n] += share);
+        Arrays.fill(shares, faces.isEmpty() ? 1.0 / shares.length : 0);
+        for (Polygon face : faces) {
+            double share = area(face) / face.corners().length / whole;
+            IntStream.of(face.corners()).forEach(n -> shares[n] += share);
         }
-    }
-
-    private static Stream<Side> sides(Polygon face) {
-        int[] c = face.corners();
-        int n = c.length;
-        return IntStream.range(0, n).mapToObj(k -> new Side(c[k], c[(k + 1) % n], c[(k + n - 1) % n], c[(k + 2) % n],
-                face.line()));
-    }
-
-    private static long pair(int a, int b) {
-        return (long) Math.min(a, b) << 32 | Math.max(a, b);
     }
 
     /** The area of a polygon, also of one that is not convex. */
-    private double area(int[] corners) {
-        Vector3 first = positions[corners[0]];
-        Vector3 twice = Vector3.ZERO;
-        for (int k = 2; k < corners.length; k++) {
-            twice = twice.plus(positions[corners[k - 1]].minus(first).cross(positions[corners[k]].minus(first)));
-        }
-        return twice.length() / 2;
+    private double area(Polygon face) {
+        int[] c = face.corners();
+        Vector3 first = positions[c[0]];
+        return IntStream.range(2, c.length).mapToObj(k -> positions[c[k - 1]].minus(first)
+                .cross(positions[c[k]].minus(first))).reduce(Vector3.ZERO, Vector3::plus).length() / 2;
     }
 
     /** @return the line of a vertex that has no share of a mass that is shared by area, if there is one */
     Optional<Integer> withoutShare() {
-        return IntStream.range(0, shares.length).filter(n -> !(shares[n] > 0)).mapToObj(contents.lineOf()::get)
-                .findFirst();
+        return vertices(n -> !(shares[n] > 0)).boxed().findFirst();
+    }
+
+    /** @return the lines of these vertices */
+    private IntStream vertices(IntPredicate which) {
+        return IntStream.range(0, positions.length).filter(which).map(n -> contents.vertices().get(n).line());
     }
 
     @Override
     public List<String> remarks() {
         Set<Vector3> taken = new HashSet<>();
         BitSet joined = new BitSet();
-        forEachPair(Sort.STRUCTURAL, (from, to) -> {
-            joined.set(from);
-            joined.set(to);
-        });
-        return Stream.of(remark("this vertex is at the place of another", IntStream.range(0, positions.length)
-                .filter(n -> !taken.add(positions[n])).map(contents.lineOf()::get)),
-                remark("this vertex belongs to no face or line", IntStream.range(0, positions.length)
-                .filter(n -> !joined.get(n)).map(contents.lineOf()::get)),
-                remark("this face and a neighbour are turned to opposite sides", IntStream.range(1, sides.size())
-                .filter(k -> sides.get(k).edge() == sides.get(k - 1).edge() && sides.get(k).from
-                == sides.get(k - 1).from).map(k -> sides.get(k).line))).flatMap(Optional::stream).toList();
+        contents.polygons().forEach(polygon -> IntStream.of(polygon.corners()).forEach(joined::set));
+        Set<Long> sides = new HashSet<>();
+        return Stream.of(remark("this vertex is at the place of another", vertices(n -> !taken.add(positions[n]))),
+                remark("this vertex belongs to no face or line", vertices(n -> !joined.get(n))),
+                remark("this face and a neighbour are turned to opposite sides", faces.stream().flatMapToInt(face ->
+                pairs(face.corners(), 1, 1).filter(side -> !sides.add(side)).mapToInt(side -> face.line()))))
+                .flatMap(Optional::stream).toList();
     }
 
     private Optional<String> remark(String what, IntStream lines) {
@@ -172,33 +142,51 @@ final class Mesh implements ParticleLayout {
 
     private long[] find(Sort sort) {
         return (switch (sort) {
-            case STRUCTURAL -> LongStream.concat(sides.stream().mapToLong(Side::edge), contents.lines().stream()
-                    .flatMapToLong(line -> IntStream.range(1, line.corners().length)
-                    .mapToLong(k -> pair(line.corners()[k - 1], line.corners()[k]))));
-            case SHEAR -> contents.faces().stream().flatMapToLong(face -> diagonals(face.corners()));
-            case BEND -> IntStream.range(0, sides.size()).boxed().flatMapToLong(this::across);
-        }).filter(pair -> pair >> 32 != (int) pair).sorted().distinct().toArray();
+            case STRUCTURAL -> contents.polygons().stream().flatMapToLong(polygon -> pairs(polygon.corners(), 1, 1));
+            case SHEAR -> faces.stream().map(Polygon::corners).flatMapToLong(c -> pairs(c, 2, c.length - 2));
+            case BEND -> beside().stream().flatMapToLong(c -> pairs(c, 1, c.length - 1));
+        }).map(pair -> Math.min(pair, turned(pair))).filter(pair -> pair != turned(pair)).sorted().distinct().toArray();
     }
 
-    private static LongStream diagonals(int[] corners) {
-        return IntStream.range(2, corners.length).boxed().flatMapToLong(k -> IntStream.range(k == corners.length - 1
-                ? 1 : 0, k - 1).mapToLong(j -> pair(corners[j], corners[k])));
+    /** The pairs of corners that are this many steps apart round a polygon, both numbers in one. */
+    private static LongStream pairs(int[] corners, int least, int most) {
+        int n = corners.length;
+        return IntStream.rangeClosed(least, most).boxed().flatMapToLong(step -> IntStream.range(0, n)
+                .mapToLong(k -> pair(corners[k], corners[(k + step) % n])));
     }
 
-    /** The pairs of corners beside the edge of a side and beside that of a later one, if they share the edge. */
-    private LongStream across(int k) {
-        Side own = sides.get(k);
-        return sides.subList(k + 1, sides.size()).stream().takeWhile(other -> other.edge() == own.edge())
-                .flatMapToLong(other -> LongStream.of(pair(own.before, other.beside(own.from)),
-                        pair(own.after, other.beside(own.to))));
+    private static long pair(int from, int to) {
+        return (long) from << 32 | to;
+    }
+
+    private static long turned(long pair) {
+        return Long.rotateLeft(pair, 32);
+    }
+
+    /** For each end of each edge, the corners next to it in the faces that share the edge. */
+    private Collection<int[]> beside() {
+        Map<Long, int[]> beside = new HashMap<>();
+        for (Polygon face : faces) {
+            int[] c = face.corners();
+            int n = c.length;
+            for (int k = 0; k < 2 * n; k++) {
+                int step = k < n ? 1 : n - 1;
+                beside.merge(pair(c[k % n], c[(k + step) % n]), new int[] {c[(k + n - step) % n]}, Mesh::joined);
+            }
+        }
+        return beside.values();
+    }
+
+    private static int[] joined(int[] a, int[] b) {
+        return IntStream.concat(IntStream.of(a), IntStream.of(b)).toArray();
     }
 
     @Override
     public Optional<Surface> surface(int first, List<Sort> sorts) {
-        int[] triangles = contents.faces().stream().map(Polygon::corners).flatMapToInt(Surface::triangles)
-                .map(n -> first + n).toArray();
+        int[] triangles = faces.stream().flatMapToInt(face -> Surface.triangles(face.corners())).map(n -> first + n)
+                .toArray();
         return triangles.length == 0 ? Optional.empty() : Optional.of(new Surface(triangles,
-                sorts.contains(Sort.STRUCTURAL) && contents.faces().stream().allMatch(face ->
-                face.corners().length <= MOST_CORNERS_TO_TEAR)));
+                sorts.contains(Sort.STRUCTURAL)
+                && faces.stream().allMatch(face -> face.corners().length <= MOST_CORNERS_TO_TEAR)));
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.scene.parts.NamedFiles.NamedFile;
@@ -25,123 +26,119 @@ import particles.spec.messages.Wording;
  */
 final class ObjReader {
     /**
-     * A face or a line.
+     * A vertex.
      *
-     * @param corners the numbers of its vertices, from 0
+     * @param position its position, in the file's own coordinates
+     * @param line     its line in the file
+     */
+    record Vertex(Vector3 position, int line) {
+    }
+
+    /**
+     * A face, or a part of a line between two vertices.
+     *
+     * @param corners the numbers of its vertices, from 0; those of a face are counter-clockwise seen from outside
      * @param line    its line in the file
      */
     record Polygon(int[] corners, int line) {
+        boolean isFace() {
+            return corners.length > 2;
+        }
     }
 
     /**
      * The contents of a file.
      *
-     * @param source   its name in messages
-     * @param vertices the positions, in the file's own coordinates
-     * @param lineOf   the line of each vertex
-     * @param faces    the faces, counter-clockwise seen from outside
-     * @param lines    the lines of two or more vertices
-     * @param groups   the vertices of each group and object
+     * @param source its name in messages
+     * @param groups the vertices of each group and object
      */
-    record Contents(String source, List<Vector3> vertices, List<Integer> lineOf, List<Polygon> faces,
-            List<Polygon> lines, Map<String, BitSet> groups) {
+    record Contents(String source, List<Vertex> vertices, List<Polygon> polygons, Map<String, BitSet> groups) {
     }
 
     private final Contents contents;
-    private final Problems problems;
     private final int count;
     /** The names that follow the latest {@code g} and {@code o}. */
     private final Map<String, List<String>> names = new HashMap<>();
 
-    private ObjReader(String source, int count, Problems problems) {
-        contents = new Contents(source, new ArrayList<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>(),
-                new TreeMap<>());
+    private ObjReader(String source, int count) {
+        contents = new Contents(source, new ArrayList<>(), new ArrayList<>(), new TreeMap<>());
         this.count = count;
-        this.problems = problems;
     }
 
     /** @return the contents of a file, or empty if problems were reported */
     static Optional<Contents> read(NamedFile file, Problems problems) {
         String[] lines = file.text().split("\r\n?|\n");
-        int count = (int) Stream.of(lines).filter(line -> line.strip().matches("v\\s.*")).count();
+        int count = (int) Stream.of(lines).filter(line -> line.matches("\\s*v\\s.*")).count();
         if (count == 0) {
             return problems.add(Place.of(file.name()), "no line begins with 'v', so there are no vertices; is this a"
                     + " Wavefront OBJ file?");
         }
-        ObjReader reader = new ObjReader(file.name(), count, problems);
+        ObjReader reader = new ObjReader(file.name(), count);
         int before = problems.count();
-        String line = "";
+        String begun = "";
         for (int n = 1; n <= lines.length && !problems.isFull(); n++) {
-            line += lines[n - 1].replaceFirst("#.*", "").strip();
-            if (line.endsWith("\\")) {
-                line = line.replace('\\', ' ');         // it goes on
-                continue;
+            String line = begun + lines[n - 1].replaceFirst("#.*", "").strip();
+            boolean goesOn = line.endsWith("\\");
+            begun = goesOn ? line.replace('\\', ' ') : "";
+            String mistake = goesOn ? "" : reader.take(line.split("\\s+"), n);
+            if (!mistake.isEmpty()) {
+                problems.add(new Place(file.name(), n, 1), Wording.quote(line) + " " + mistake);
             }
-            reader.take(line, n);
-            line = "";
         }
         return problems.count() > before ? Optional.empty() : Optional.of(reader.contents);
     }
 
-    private void take(String line, int n) {
-        String[] words = line.split("\\s+");
-        String mistake = switch (words[0]) {
-            case "v" -> addVertex(words, n);
-            case "f" -> addPolygon(words, n, 3, contents.faces);
-            case "l" -> addPolygon(words, n, 2, contents.lines);
+    /** Reads a line, and returns what is wrong with it. */
+    private String take(String[] words, int line) {
+        return switch (words[0]) {
+            case "v" -> addVertex(words, line);
+            case "f", "l" -> addPolygon(words, line);
             case "g", "o" -> {
                 names.put(words[0], List.of(words).subList(1, words.length));
                 yield "";
             }
             default -> "";
         };
-        if (!mistake.isEmpty()) {
-            problems.add(new Place(contents.source, n, 1), Wording.quote(line) + " " + mistake);
-        }
     }
 
-    /** Adds a vertex, also a wrong one, so that the numbers of the others stay right; returns what is wrong. */
+    /** Adds a vertex, also a wrong one, so that the numbers of the others stay right. */
     private String addVertex(String[] words, int line) {
-        double[] position = new double[3];
-        for (int c = 0; c < 3; c++) {
-            position[c] = c + 1 < words.length ? coordinate(words[c + 1]) : Double.NaN;
-        }
-        contents.vertices.add(Vector3.at(position, 0));
-        contents.lineOf.add(line);
-        return contents.vertices.get(contents.vertices.size() - 1).isFinite() ? ""
-                : "is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'";
+        Vector3 position = Vector3.at(IntStream.rangeClosed(1, 3)
+                .mapToDouble(c -> c < words.length ? number(words[c]) : Double.NaN).toArray(), 0);
+        contents.vertices.add(new Vertex(position, line));
+        return position.isFinite() ? "" : "is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'";
     }
 
-    private static double coordinate(String word) {
-        try {
-            return Double.parseDouble(word);
-        } catch (NumberFormatException e) {
-            return Double.NaN;
-        }
-    }
-
-    private String addPolygon(String[] words, int line, int least, List<Polygon> polygons) {
+    private String addPolygon(String[] words, int line) {
         int[] corners = Stream.of(words).skip(1).mapToInt(this::vertex).toArray();
-        if (Arrays.stream(corners).anyMatch(vertex -> vertex < 0)) {
+        if (IntStream.of(corners).anyMatch(vertex -> vertex < 0)) {
             return "names a vertex that is not there; the file has 1 to " + count + ", and -1 is the last one before";
         }
-        if (Arrays.stream(corners).distinct().count() < (least == 2 ? 2 : Math.max(least, corners.length))) {
+        boolean isFace = words[0].equals("f");
+        int least = isFace ? 3 : 2;
+        if (IntStream.of(corners).distinct().count() < (isFace ? Math.max(least, corners.length) : least)) {
             return "needs at least " + least + " corners, all different";       // a line may be closed
         }
-        polygons.add(new Polygon(corners, line));
-        names.values().stream().flatMap(List::stream).forEach(name -> Arrays.stream(corners)
-                .forEach(contents.groups.computeIfAbsent(name, key -> new BitSet())::set));
+        for (int k = 0, n = isFace ? corners.length : 2; k + n <= corners.length; k++) {
+            contents.polygons.add(new Polygon(Arrays.copyOfRange(corners, k, k + n), line));
+        }
+        names.values().stream().flatMap(List::stream).map(name -> contents.groups.computeIfAbsent(name,
+                key -> new BitSet())).forEach(group -> IntStream.of(corners).forEach(group::set));
         return "";
     }
 
     /** @return the number of a vertex, from 0, by its own or its negative number; -1 if there is none */
     private int vertex(String word) {
+        double number = number(word.split("/", 2)[0]);
+        double vertex = number < 0 ? contents.vertices.size() + number : number - 1;
+        return vertex < count && vertex == Math.rint(vertex) ? (int) vertex : -1;
+    }
+
+    private static double number(String word) {
         try {
-            int number = Integer.parseInt(word.split("/", 2)[0]);
-            int vertex = number < 0 ? contents.vertices.size() + number : number - 1;
-            return vertex < count ? vertex : -1;
+            return Double.parseDouble(word);
         } catch (NumberFormatException e) {
-            return -1;
+            return Double.NaN;
         }
     }
 }

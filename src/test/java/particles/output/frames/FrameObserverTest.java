@@ -175,10 +175,11 @@ class FrameObserverTest {
         Simulation simulation = thrown(0.125, 1);
         simulation.getSystem().addEffect(TestEffects.failingAt(0.35));
         LastSteps last = lastSteps(simulation);
-        try (FrameObserver frames = new FrameObserver(renderer(), 1, List.of(notes))) {
+        FrameDrawer drawer = new FrameDrawer(renderer(), List.of(notes));
+        try (FrameObserver frames = new FrameObserver(ParticleStyle.STANDARD, 1, List.of(drawer))) {
             simulation.addObserver(frames);
             assertThrows(SimulationException.class, simulation::run);
-            frames.replay(simulation.getSystem(), last, "blew up");
+            drawer.replay(simulation.getSystem(), last, "blew up", 1);
         }
         assertEquals(List.of(0, 1, 2, 3, 4), notes.frames);
         double[] times = {0, 0, 0.125, 0.25, 0.25};

@@ -55,9 +55,10 @@ class ThreadsTest {
         FrameRenderer renderer = new FrameRenderer(setup, WIDTH, HEIGHT, 2);
         Path path = top.resolve(name + "-" + threads);
         try (OutputFolder folder = OutputFolder.open(path, OutputFolder.FRAMES);
-                FrameObserver frames = new FrameObserver(renderer, RATE, List.of(FrameSink.png(folder, WIDTH, HEIGHT),
+                FrameObserver frames = new FrameObserver(setup.look().style(), RATE, List.of(new FrameDrawer(renderer,
+                        List.of(FrameSink.png(folder, WIDTH, HEIGHT),
                         new GifAnimation(folder, WIDTH, HEIGHT, WIDTH / 2, RATE),
-                        new Film(folder, WIDTH, HEIGHT, RATE)), threads)) {
+                        new Film(folder, WIDTH, HEIGHT, RATE)), threads)))) {
             scene.simulation().addObserver(frames);
             scene.simulation().run();
         }

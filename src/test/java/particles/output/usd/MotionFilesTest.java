@@ -26,11 +26,14 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.output.files.OutputFolder;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
 import particles.view.Camera;
+import particles.view.ParticleStyle;
 
 /** The motion of a run as a USD stage and as OBJ files, read back and compared with the states of the run. */
 class MotionFilesTest {
@@ -75,12 +78,12 @@ class MotionFilesTest {
     void run() throws IOException {
         Scene scene = TestScenes.build(SCENE);
         try (OutputFolder folder = OutputFolder.open(top)) {
-            MotionRecorder recorder = new MotionRecorder(RATE, List.of(), List.of(new UsdFile(folder,
-                    new UsdFile.Setup(scene.description().title(), CAMERA, 640, 360, RATE,
-                    scene.description().drawing().look(), scene.scenery().surfaces())),
-                    new ObjFrames(folder, scene.scenery().surfaces()), (frame, state) -> states.add(state)));
-            try (recorder) {
-                scene.simulation().addObserver(recorder);
+            FrameSetup setup = new FrameSetup(CAMERA, scene.description().drawing().look(), scene.scenery(),
+                    scene.description().title(), "rk4");
+            try (FrameObserver frames = new FrameObserver(setup.look().style(), RATE, List.of(
+                    new UsdFile(folder, setup, 640, 360, RATE), new ObjFrames(folder, scene.scenery().surfaces()),
+                    (frame, state) -> states.add(state)))) {
+                scene.simulation().addObserver(frames);
                 scene.simulation().run();
             }
         }
@@ -185,7 +188,7 @@ class MotionFilesTest {
     @Test
     void theStageHasUnitsTimesAndTheCamera() {
         for (String line : List.of("#usda 1.0", "metersPerUnit = 1", "upAxis = \"Y\"", "startTimeCode = 0",
-                "endTimeCode = 24", "timeCodesPerSecond = 20.0", "doc = \"A \\\"cloth\\\" and balls\"")) {
+                "endTimeCode = 24", "timeCodesPerSecond = 20.0", "doc = \"A \\\"cloth\\\" and balls: rk4\"")) {
             assertHas(text, line);
         }
         double focal = Double.parseDouble(at("Camera camera float focalLength", 0));
@@ -241,9 +244,9 @@ class MotionFilesTest {
                 {title: Drop, teaches: rules, solver: rk4, deltaT: 0.01, duration: 0.6, effects: [gravity],
                 particles: [{id: ball, position: [0, 0.1, 0]}], rules: [ground: {restitution: 0.7}]}""");
         List<Double> heights = new ArrayList<>();
-        try (MotionRecorder recorder = new MotionRecorder(100, List.of(),
+        try (FrameObserver frames = new FrameObserver(ParticleStyle.STANDARD, 100,
                 List.of((frame, state) -> heights.add(state.place(0).y())))) {
-            scene.simulation().addObserver(recorder);
+            scene.simulation().addObserver(frames);
             scene.simulation().run();
         }
         assertEquals(61, heights.size());

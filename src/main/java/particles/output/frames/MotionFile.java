@@ -1,8 +1,9 @@
-package particles.output.usd;
+package particles.output.frames;
 
 import particles.output.painters.FrameState;
 
 /** A receiver of the states of a run at the times of its frames. */
+@FunctionalInterface
 public interface MotionFile extends AutoCloseable {
     /**
      * @param frame its number
