@@ -43,7 +43,8 @@ record EffectWriting(EffectTrial trial) {
             return wrong(Kind.STATE, "addForces changes the state");
         }
         if (!Arrays.equals(force, trial.force())) {
-            return wrong(Kind.STATE, "two calls at the same state and time give different forces");
+            return wrong(Kind.STATE, "two calls at the same state and time give different forces:"
+                    + " something is random or kept");
         }
         double[] filled = new double[force.length];
         Arrays.fill(filled, 1);
