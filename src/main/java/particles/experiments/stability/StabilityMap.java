@@ -48,6 +48,12 @@ public final class StabilityMap {
         return modulus.applyAsDouble(x(column), y(row)) > 1 + Amplification.ROUNDING;
     }
 
+    /** Between two rows of the grid; asked only where these differ, as the growth over many steps is dear. */
+    private boolean growsIn(int column, double row) {
+        int r = (int) row;
+        return grows[r][column] == grows[r + 1][column] ? grows[r][column] : growsAt(column, row);
+    }
+
     /** The x of a column, half a cell off the imaginary axis, so that |R| = 1 on it is a line between grid points. */
     private double x(double column) {
         return window.left() + (column + 0.5) * window.cell();
@@ -87,9 +93,9 @@ public final class StabilityMap {
         int last = grows[0].length - 1;
         for (double row = (1 + height) / 2; row < grows.length - 1; row += height) {
             double[] start = {x(0), y(row)};
-            boolean grew = growsAt(0, row);
+            boolean grew = growsIn(0, row);
             for (int c = 1; c <= last; c++) {
-                boolean grow = growsAt(c, row);
+                boolean grow = growsIn(c, row);
                 if (grow && !grew) {
                     draw(List.of(start, border(c - 1, row, c, row)), line);
                 } else if (grew && !grow) {
