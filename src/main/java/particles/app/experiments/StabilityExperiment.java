@@ -66,8 +66,8 @@ final class StabilityExperiment {
                     of symplectic solvers on a damped spring with these eigenvalues; beside it is the theory. A spring \
                     without damping lies on the imaginary axis, pure decay on the negative real axis. A step that a \
                     solver refuses counts as unstable; of an adaptive solver one sub-step is measured."""),
-                    progress.part(0.5, 1).each(REGIONS, region -> "regions of " + String.join(", ", region.solvers()),
-                            Region::draw), List.of(limits));
+                    progress.part(0.5, 1).each(REGIONS.stream().map(region -> region.of(solvers)).filter(region ->
+                            !region.solvers().isEmpty()).toList(), Region::name, Region::draw), List.of(limits));
         };
     }
 
@@ -105,6 +105,12 @@ final class StabilityExperiment {
 
     /** A picture of stability regions: its name and caption, and the solvers shown in a part of the plane. */
     private record Region(String name, String caption, List<String> solvers, Window window) {
+        /** The same picture with some of its solvers. */
+        Region of(List<SolverInfo> some) {
+            return new Region(name, caption, solvers.stream().filter(solver -> some.stream().anyMatch(one ->
+                    one.name().equals(solver))).toList(), window);
+        }
+
         Picture draw() {
             List<Panel> panels = solvers.stream().map(solver -> StabilityRegion.filled(SolverCatalog.info(solver),
                     window)).toList();
