@@ -110,11 +110,11 @@ public final class ReportCommand extends ResultsCommand {
                 experiments.stream().map(ExperimentCommand::name).toList());
         boolean onlyOfScene = scene.hasScene() && names.strip().equals("all");
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())
-                && (!onlyOfScene || has(new CommandLine(experiment), SCENE_OPTION))).toList();
+                && (!onlyOfScene || looksAtScene(new CommandLine(experiment)))).toList();
     }
 
-    private static boolean has(CommandLine experiment, String option) {
-        return experiment.getCommandSpec().findOption(option) != null;
+    private static boolean looksAtScene(CommandLine experiment) {
+        return experiment.getCommandSpec().findOption(SCENE_OPTION) != null;
     }
 
     /** The report on a scene goes to a folder of its own. */
@@ -152,7 +152,7 @@ public final class ReportCommand extends ResultsCommand {
     /** The options of an experiment; experiments on a scene get the report's scene. */
     private String[] options(CommandLine experiment) {
         List<String> options = new ArrayList<>(charts.arguments());
-        if (has(experiment, SCENE_OPTION)) {
+        if (looksAtScene(experiment)) {
             if (scene.hasScene()) {
                 options.addAll(List.of(SCENE_OPTION + "=" + scene.getTypedScene(), "--set=" + scene.getTypedSet()));
             }
