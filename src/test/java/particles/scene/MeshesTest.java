@@ -198,6 +198,14 @@ class MeshesTest {
             --
             v 0 0 0
             v 1 0 0
+            f 1 2d 2
+            m.obj:3:1: 'f 1 2d 2' names a vertex that is not there; the file has 1 to 2, and -1 is the last one before
+            --
+            v 0 1f 0
+            m.obj:1:1: 'v 0 1f 0' is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'
+            --
+            v 0 0 0
+            v 1 0 0
             f 1 2
             m.obj:3:1: 'f 1 2' needs at least 3 corners, all different
             --

@@ -136,7 +136,7 @@ final class ObjReader {
 
     private static double number(String word) {
         try {
-            return Double.parseDouble(word);
+            return word.matches("[-+.eE\\d]+") ? Double.parseDouble(word) : Double.NaN;     // Java takes '1d', too
         } catch (NumberFormatException e) {
             return Double.NaN;
         }
