@@ -58,7 +58,6 @@ class ReadmeCommandsTest {
     private static final Map<String, ExitCode> SLOW = Map.of(
             "gradle sweep -Pscene=3 '-Pvary=springs[0].damping = 0 .. 40 by 5' '-Pmeasure=max x of block, energy lost'",
             ExitCode.DONE,
-            "gradle run -Pscene=2 -Psolver=euler", ExitCode.DONE,
             "gradle run -Pscene=11", ExitCode.DONE,
             "gradle run -Pscene=12 -PdeltaT=0.01", ExitCode.STOPPED,
             "gradle checkSolver -Psolver=midpoint", ExitCode.DONE);

@@ -14,13 +14,14 @@ import particles.ParticleSystem;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
-import particles.law.Effect;
 import particles.law.Effect.Trait;
+import particles.law.Effect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.law.Wind;
 
 /** The interfaces and flags of each law, and the limits of its parameters. */
 class EffectFactsTest {

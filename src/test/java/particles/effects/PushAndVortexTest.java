@@ -8,6 +8,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.law.Vector3;
+import particles.law.Wind;
 
 class PushAndVortexTest {
 

@@ -81,7 +81,8 @@ class CreaturesTest {
         Map<String, Double> before = workUntil(scene.simulation(), ledger, start);
         Map<String, Double> after = workUntil(scene.simulation(), ledger, start + period);
         double given = after.get("muscles (driven)") - before.get("muscles (driven)");
-        double all = after.keySet().stream().mapToDouble(work -> after.get(work) - before.getOrDefault(work, 0.0)).sum();
+        double all = after.keySet().stream().mapToDouble(work -> after.get(work) - before.getOrDefault(work, 0.0))
+                .sum();
         assertTrue(given > 0.1, "given " + given);
         assertBelow(0.01 * given, Math.abs(all), name + ": " + given + " J given, " + all + " J left, " + after);
     }

@@ -53,8 +53,8 @@ class OnlyWhatIsNamedTest {
             effects: [attraction: {strength: 1}] | PointAttraction
             effects: [gravitation] | Gravitation PairForce
             effects: [magneticField: {field: [0, 0, 1]}] | MagneticField
-            effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce
-            effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce
+            effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce ShortRangeForce
+            effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce ShortRangeForce
             effects: [penaltyPlane: {stiffness: 1}] | Penalty
             effects: [penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}] | Penalty
             impact: clamp; rules: [ground] | RestingContacts ClampedImpacts Impacts
@@ -105,7 +105,7 @@ class OnlyWhatIsNamedTest {
                     .forEach(room -> classes.addAll(program.loadedFrom(room)));
             classes.removeIf(name -> name.matches(".*\\$\\w*Keys") || name.startsWith("particles.effects.springs."));
             assertEquals(Set.of("particles.effects.EffectCatalog", "particles.effects.EffectKind",
-                    "particles.effects.EffectContext", "particles.effects.SharedKeys", "particles.effects.Wind",
+                    "particles.effects.EffectContext", "particles.effects.SharedKeys",
                     "particles.reactions.Curve"), classes);
             program.run(SPRINGS + "effects:\n  - cohesion: {range: 2, depth: 1}\n");
             assertTrue(program.loadedFrom("particles.effects.").contains("particles.effects.Cohesion"), "when named");

@@ -7,7 +7,6 @@ import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.EffectContext;
-import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.AnchorMotion;
 import particles.law.Effect;
@@ -16,12 +15,13 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.law.Wind;
 import particles.reactions.ContactSurface;
 import particles.rules.Collisions;
 import particles.rules.Deaths;
-import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
 import particles.view.Scenery.Surface;
+import particles.view.Scenery;
 
 /** A scene under construction: effects and rules are added to it and share its wind, surfaces and totals. */
 public final class SceneAssembly implements EffectContext {

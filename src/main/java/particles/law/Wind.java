@@ -1,4 +1,4 @@
-package particles.effects;
+package particles.law;
 
 import java.util.Arrays;
 
