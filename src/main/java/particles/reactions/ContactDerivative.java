@@ -7,9 +7,9 @@ import particles.law.Vector3;
 
 /**
  * The derivative of the total force on a particle in contact, by central differences: with respect to the force before
- * contact, to the particle's own position and velocity, and to the position of its neighbour in a body with scales. Products by differences of the whole system do not replace
- * it: a cloth of 21 x 17 particles that falls on a rough sphere, with linearised-euler and deltaT = 0.02 s, then ends
- * at 0.26 s, where GMRES fails.
+ * contact, to the particle's own position and velocity, and to the position of its neighbour in a body with scales.
+ * Products by differences of the whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough
+ * sphere, with linearised-euler and deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails.
  */
 final class ContactDerivative {
     private static final int STRIDE = Particles.STRIDE;

@@ -124,7 +124,8 @@ class ScalesOnTheGroundTest {
             double error = Math.hypot(run.at(0) - exact[0], run.at(2) - exact[1]);
             assertBelow(isOfOrderOne(way) ? 1.5 * deltaT : 2e-4, error, way + " " + back);     // 1.16 deltaT by Euler
             assertEquals(0, Math.hypot(run.at(3), run.at(5)), 0, "it has stopped");
-            assertEquals(run.at(0) + 0.1, run.at(6), 1e-12, "both move alike");
+            // each stops at an event of its own, below 1e-4 m/s: they differ by at most v^2/(2 a) = 1.7e-9 m
+            assertEquals(run.at(0) + 0.1, run.at(6), 2e-9, "both move alike");      // measured 1.7e-9
         }
     }
 
