@@ -33,10 +33,10 @@
  * changes normal forces only where rods, wires or balls join particles. Several surfaces share it in the ratio of their
  * limits mu lambda. With {@link particles.law.Scales} the cone is not round: its sections are two half ellipses,
  * friction with sliding is the force in it that takes most energy, and from rest the part of the moving force that is
- * balanced is the nearest one in it. A particle slower than its friction's threshold is at rest. It sticks if mu<sub>s</sub> lambda,
- * summed over its surfaces, is at least the force left along them, with lambda as without friction; in a block with
- * rods, wires or balls, it sticks if some contact forces in the cones balance all other forces. Friction cannot
- * hold the end of a rod while the rod's anchor moves along it.
+ * balanced is the nearest one in it. A particle slower than its friction's threshold is at rest. It sticks if
+ * mu<sub>s</sub> lambda, summed over its surfaces, is at least the force left along them, with lambda as without
+ * friction; in a block with rods, wires or balls, it sticks if some contact forces in the cones balance all other
+ * forces. Friction cannot hold the end of a rod while the rod's anchor moves along it.
  *
  * <p><b>What is unique.</b> The accelerations are, while the same particles stick and friction is not so large that it
  * jams (P. Painlev&eacute; 1895): then it can happen that no forces satisfy the equations, and the run ends with that
