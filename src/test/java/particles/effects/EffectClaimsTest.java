@@ -17,16 +17,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.law.Wind;
+import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectClaims.Broken;
 import particles.teaching.effects.EffectClaims.Claim;
-import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectSample;
 
 /** Every effect has the properties that it claims, and planted errors are found. */

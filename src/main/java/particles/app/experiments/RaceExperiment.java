@@ -46,7 +46,7 @@ final class RaceExperiment {
         List<SolverChoice> solvers = asked.solvers();
         double duration = scene.duration();
         if (!(duration > 0)) {
-            throw asked.wrong("set", "duration: a race has to last longer than 0 s");
+            throw asked.wrong("set", "the duration is 0 s, and a race needs more; add duration=SECONDS");
         }
         if (solvers.size() > MOST_SOLVERS) {
             throw asked.wrong("solvers", solvers.size() + " solvers are too many; at most " + MOST_SOLVERS);
@@ -64,8 +64,8 @@ final class RaceExperiment {
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
         return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
-                + " derivative as rk4 at the scene's step, or as the solver that cannot do with so few, to within one"
-                + " of its own steps or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that"
+                + " derivative as rk4 needs at the scene's step; if a solver needs more, all get as many. They agree to"
+                + " within one step or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that"
                 + " fails, or goes far from where it ever is, leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),

@@ -42,7 +42,7 @@ public final class ReportCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
-    /** Of the experiments that look at a scene; without it, each has its own. */
+    /** The scene of the experiments that look at one; without it, each has its own. */
     @Mixin
     private final SceneOptions scene = new SceneOptions();
 

@@ -3,6 +3,7 @@ package particles.app.experiments;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,12 +13,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
 import particles.experiments.grid.Grid.Row;
 import particles.output.files.OutputException;
+import particles.spec.messages.InvalidInputException;
 
 /**
  * A CSV file to which each row is added as soon as it is there, so that a sweep that was stopped goes on. Its name
@@ -26,11 +28,11 @@ import particles.output.files.OutputException;
  */
 final class RowFile implements AutoCloseable {
     private final Path file;
-    private final CSVPrinter rows;
+    private final Writer writer;
 
-    private RowFile(Path file, CSVPrinter rows) {
+    private RowFile(Path file, Writer writer) {
         this.file = file;
-        this.rows = rows;
+        this.writer = writer;
     }
 
     /** Opens a file to add rows. Its own rows stay, except the last one if it was cut off. */
@@ -40,7 +42,7 @@ final class RowFile implements AutoCloseable {
             try (FileChannel bytes = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
                 bytes.truncate(whole(file).getBytes(StandardCharsets.UTF_8).length);
             }
-            return new RowFile(file, CSVFormat.RFC4180.print(Files.newBufferedWriter(file, StandardOpenOption.APPEND)));
+            return new RowFile(file, Files.newBufferedWriter(file, StandardOpenOption.APPEND));
         } catch (IOException e) {
             throw new OutputException(file, "write", e);
         }
@@ -58,8 +60,8 @@ final class RowFile implements AutoCloseable {
             List<Object> cells = new ArrayList<>(row.at());
             cells.addAll(row.measured());
             cells.add(row.end());
-            rows.printRecord(cells);
-            rows.flush();
+            CSVFormat.RFC4180.printRecord(writer, cells.toArray());
+            writer.flush();
         } catch (IOException e) {
             throw new OutputException(file, "write", e);
         }
@@ -70,6 +72,7 @@ final class RowFile implements AutoCloseable {
      * @param name   the beginning of their names
      * @param axes   the number of axes
      * @return the rows by their points
+     * @throws InvalidInputException if a file has a line that is no row
      */
     static Map<List<String>, Row> read(Path folder, String name, int axes) {
         Map<List<String>, Row> rows = new LinkedHashMap<>();
@@ -79,10 +82,8 @@ final class RowFile implements AutoCloseable {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(one -> one.getFileName().toString().startsWith(name)).sorted().toList()) {
                 for (CSVRecord line : CSVFormat.RFC4180.parse(new StringReader(whole(file))).getRecords()) {
-                    List<String> cells = line.toList();
-                    int end = cells.size() - 1;
-                    Row row = new Row(cells.subList(0, axes), cells.subList(axes, end).stream().map(Double::valueOf)
-                            .toList(), cells.get(end));
+                    Row row = row(line.toList(), axes).orElseThrow(() -> new InvalidInputException(file + ": row "
+                            + line.getRecordNumber() + " is none of this sweep; remove it, or the file"));
                     rows.put(row.at(), row);
                 }
             }
@@ -93,10 +94,20 @@ final class RowFile implements AutoCloseable {
         return rows;
     }
 
+    private static Optional<Row> row(List<String> cells, int axes) {
+        int end = cells.size() - 1;
+        try {
+            return end < axes ? Optional.empty() : Optional.of(new Row(cells.subList(0, axes),
+                    cells.subList(axes, end).stream().map(Double::valueOf).toList(), cells.get(end)));
+        } catch (NumberFormatException e) {
+            return Optional.empty();
+        }
+    }
+
     @Override
     public void close() {
         try {
-            rows.close();
+            writer.close();
         } catch (IOException e) {
             throw new OutputException(file, "write", e);
         }

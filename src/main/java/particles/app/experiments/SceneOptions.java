@@ -31,7 +31,7 @@ final class SceneOptions {
 
     /** Reads the options; without one, this scene is the default, or none if it is empty. */
     void read(Mistakes mistakes, ProgramCommand command, String standard) {
-        scene = scene == null ? standard : scene;           // the parser leaves an option null that was not given
+        scene = scene == null || scene.isBlank() ? standard : scene;    // null if the option is not given
         settings = mistakes.value(() -> command.settings("set", set));
         if (scene.isEmpty() && !set.isEmpty()) {
             mistakes.check(() -> {

@@ -28,7 +28,7 @@ final class StabilityExperiment {
 
     private static final List<Region> REGIONS = List.of(
             new Region("slides", """
-                    The slides' solvers and adams; stable in the shaded region. Of the imaginary axis, only 0 belongs \
+                    Stable in the shaded region. Of the imaginary axis, only 0 belongs \
                     to the regions of euler, midpoint and adams: at 0.8, a step of adams grows by 0.7 %.""",
                     List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05)),
             new Region("adaptive", "One sub-step. Longer steps are divided: the outlines show the cost of a stiff"
@@ -61,7 +61,7 @@ final class StabilityExperiment {
     private static Run limits(DeclaredCommand asked, List<SolverInfo> solvers) {
         return (folder, progress) -> {
             DataTable limits = StabilityLimit.table(solvers, progress.part(0, 0.5));
-            return asked.page("Stability limits of all solvers", List.of("""
+            return asked.page("Stability limits, measured", List.of("""
                     Every limit was measured on the solver's code, by bisection on the test equation y' = lambda y, or \
                     of symplectic solvers on a damped spring with these eigenvalues; beside it is the theory. A spring \
                     without damping lies on the imaginary axis, pure decay on the negative real axis. A step that a \

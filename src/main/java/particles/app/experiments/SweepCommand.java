@@ -33,7 +33,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle sweep}: runs a scene over values of its keys. */
-@Command(name = "sweep", description = "Runs a scene over values of its keys, and charts what is measured of each run.",
+@Command(name = "sweep", usageHelpWidth = 110, description = "Runs a scene over values of its keys, and charts what is measured of each run.",
         footer = """
 
         A run that is in FOLDER is not computed again. On several cores or machines, compute parts and
@@ -43,7 +43,7 @@ import picocli.CommandLine.Option;
           seq 16 | parallel $S "'--vary=...'" "'--measure=...'" --part={}/16 --out=parts
           sbatch --wait --array=1-16 --wrap "$S '--vary=...' '--measure=...' \\
               --part=\\$SLURM_ARRAY_TASK_ID/16 --out=parts"                # Slurm
-          strategy: {matrix: {part: [1, 2, 3, 4]}}                         # GitHub: --part=${{matrix.part}}/4,
+          strategy: {matrix: {part: [1, 2, 3, 4]}}                         # GitHub: --part=$${{matrix.part}}/4,
               # then actions/upload-artifact of the folder 'parts' in each job, and download-artifact in the last
           $S '--vary=...' '--measure=...' --collect=parts                  # the same bytes as one run
         """)
@@ -59,7 +59,7 @@ public final class SweepCommand extends ExperimentCommand {
     private String vary;
 
     @Option(names = "--measure", paramLabel = "MEASURE, ...", required = true, description = "What is measured of each"
-            + " run, such as 'max x of block, energy lost'; a wrong one lists all.")
+            + " run, such as 'max x of block, energy lost'; a wrong one lists all of them.")
     private String measure;
 
     @Option(names = "--part", paramLabel = "K/N", split = "/",

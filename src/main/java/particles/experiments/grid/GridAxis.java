@@ -27,6 +27,7 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
     /** The most points of a grid. */
     public static final int MOST_POINTS = 1_000_000;
     private static final String NUMBER = "\\s*(\\S+)\\s*";
+    private static final Pattern NUMERAL = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
     private static final Pattern RANGE = Pattern.compile(NUMBER + "\\.\\." + NUMBER + "(?:\\s(by|log)" + NUMBER + ")?");
     private static final Pattern LIKE_RANGE = Pattern.compile("[^'\"\\[]*\\.\\.[^'\"]*");
     /** Values in a constant ratio have digits that can be read and typed; all others are as exact as sums are. */
@@ -86,8 +87,8 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
         double by = number(range.group(4));
         boolean log = range.group(3).equals("log");
         if (log && !(first > 0 && last > 0 && first != last)) {
-            throw new IllegalArgumentException("a logarithmic range such as '" + values
-                    + "' has two different ends over 0");
+            throw new IllegalArgumentException("a logarithmic range needs two different ends over 0, not '" + values
+                    + "'");
         }
         if (log && !(by >= 2 && by == Math.rint(by))) {
             throw new IllegalArgumentException("in '" + values + "', log has to be followed by the number of values,"
@@ -101,9 +102,9 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
             throw new IllegalArgumentException("'" + values + "' has too many values; at most " + MOST_POINTS);
         }
         double ratio = StrictMath.log(last / first);
-        List<String> list = IntStream.rangeClosed(0, (int) steps).mapToObj(k -> !log ? digits(first + k * by, EXACT)
-                : k == steps ? digits(last, EXACT) : digits(first * StrictMath.exp(ratio * k / steps), READABLE))
-                .toList();
+        List<String> list = IntStream.rangeClosed(0, (int) steps).mapToObj(k -> k == 0 ? digits(first, EXACT)
+                : !log ? digits(first + k * by, EXACT) : k == steps ? digits(last, EXACT)
+                : digits(first * StrictMath.exp(ratio * k / steps), READABLE)).toList();
         if (new LinkedHashSet<>(list).size() < list.size()) {
             throw new IllegalArgumentException("'" + values + "' has too many values: with the digits shown, some are"
                     + " equal");
@@ -112,15 +113,14 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
     }
 
     private static double number(String text) {
-        try {
-            double number = Double.parseDouble(text);
-            if (Double.isFinite(number)) {
-                return number;
-            }
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("'" + text + "' is not a number", e);
+        if (!NUMERAL.matcher(text).matches()) {
+            throw new IllegalArgumentException("'" + text + "' is not a number");
         }
-        throw new IllegalArgumentException("'" + text + "' is too large");
+        double number = Double.parseDouble(text);
+        if (Double.isInfinite(number)) {
+            throw new IllegalArgumentException("'" + text + "' is too large");
+        }
+        return number;
     }
 
     /** The shortest digits: 0.05, 20, 1E-12. */

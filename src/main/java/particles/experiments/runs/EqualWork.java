@@ -75,19 +75,21 @@ public record EqualWork(SceneDescription scene, long target, int frames) {
     private Match bySteps(SolverChoice solver) {
         Set<Long> tried = new HashSet<>();
         long steps = Math.max(1, Math.round(target / 4.0));
-        Match best = measure(Setting.of(solver, scene.duration() / steps));
-        Match match = best;
-        while (tried.add(steps) && tried.size() < TRIALS) {
+        Optional<Match> best = Optional.empty();
+        while (tried.size() < TRIALS && tried.add(steps)) {
+            Match match = measure(Setting.of(solver, scene.duration() / steps));
+            best = best.filter(other -> other.off(target) <= match.off(target)).or(() -> Optional.of(match));
             // a first step that fails does not show what a step costs: a shorter one may not fail
             steps = match.steps == 0 ? steps + (steps + 1) / 2
                     : Math.max(1, Math.round(steps * (target / match.cost)));
-            match = measure(Setting.of(solver, scene.duration() / steps));
-            best = match.off(target) < best.off(target) ? match : best;
         }
-        return best;
+        return best.orElseThrow();
     }
 
-    /** Bisects the exponent of the tolerance, from the loosest one; a run that fails asks for a tighter one. */
+    /**
+     * Bisects the exponent of the tolerance, from the loosest one, which is taken if it already costs too much; a run
+     * that fails asks for a tighter one.
+     */
     private Match byTolerance(SolverChoice solver) {
         long most = Math.max(1, Math.min(ADAPTIVE_STEPS, target / EVALUATIONS_A_STEP));
         int steps = IntStream.rangeClosed(1, frames).filter(d -> frames % d == 0 && d <= most).max().orElseThrow();
@@ -95,7 +97,7 @@ public record EqualWork(SceneDescription scene, long target, int frames) {
         double tight = TIGHTEST;
         double exponent = loose;
         Optional<Match> best = Optional.empty();
-        for (int trial = 0; trial < TRIALS; trial++) {
+        for (int trial = 0; trial < TRIALS && tight < loose; trial++) {
             Match match = measure(new Setting(solver, scene.duration() / steps,
                     Optional.of(StrictMath.pow(10, exponent))));
             if (best.isEmpty() || match.whole && (!best.get().whole || match.off(target) < best.get().off(target))) {
@@ -106,7 +108,7 @@ public record EqualWork(SceneDescription scene, long target, int frames) {
             } else {
                 loose = exponent;
             }
-            exponent = (loose + tight) / 2;             // the loosest one, if that costs too much
+            exponent = (loose + tight) / 2;
         }
         return best.orElseThrow();
     }

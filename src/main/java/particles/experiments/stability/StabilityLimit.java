@@ -38,7 +38,7 @@ public record StabilityLimit(double value, double growth) {
 
     /**
      * Finds the limit: increases h |lambda| until something grows, and bisects the last interval to a relative accuracy
-     * of 1e-9.
+     * of 1e-9. Where a step of 0.1 already grows, shorter ones are tried, down to 1e-5.
      *
      * @param amplification the amplification as a function of h |lambda|
      * @return the limit; beyond a million is unbounded

@@ -48,7 +48,7 @@ public final class StabilityMap {
         return modulus.applyAsDouble(x(column), y(row)) > 1 + Amplification.ROUNDING;
     }
 
-    /** Between two rows of the grid; asked only where these differ, as the growth over many steps is dear. */
+    /** Between two rows of the grid; asked only where these differ, because measuring it takes many steps. */
     private boolean growsIn(int column, double row) {
         int r = (int) row;
         return grows[r][column] == grows[r + 1][column] ? grows[r][column] : growsAt(column, row);

@@ -50,7 +50,7 @@ public final class FrameDrawer implements MotionFile {
      * @param system   the system at the end of the run
      * @param last     its last steps
      * @param headline the text in each picture, such as the time of the blow-up
-     * @param fps      frames a second of simulated time
+     * @param fps      frames per second of simulated time
      */
     public void replay(ParticleSystem system, LastSteps last, String headline, double fps) {
         List<LastSteps.Step> steps = last.steps();

@@ -31,7 +31,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     /**
      * @param style the style of particles
-     * @param fps   frames a second of simulated time, positive
+     * @param fps   frames per second of simulated time, positive
      * @param files receive the frames; closed after the last one
      */
     public FrameObserver(ParticleStyle style, double fps, List<? extends MotionFile> files) {
@@ -95,12 +95,20 @@ public final class FrameObserver implements Observer, AutoCloseable {
         }
     }
 
-    /** Completes the files, also if the run ended early. */
+    /** Completes the files, also if the run ended early; all of them, also if one cannot be completed. */
     @Override
     public void close() {
         if (!closed) {
             closed = true;
-            files.forEach(MotionFile::close);
+            close(files);
+        }
+    }
+
+    private static void close(List<MotionFile> open) {
+        if (!open.isEmpty()) {
+            try (MotionFile file = open.get(0)) {
+                close(open.subList(1, open.size()));
+            }
         }
     }
 }

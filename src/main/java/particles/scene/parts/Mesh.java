@@ -65,11 +65,11 @@ final class Mesh implements ParticleLayout {
 
     /** @return the line of a vertex that has no share of a mass that is shared by area, if there is one */
     Optional<Integer> withoutShare() {
-        return vertices(n -> !(shares[n] > 0)).boxed().findFirst();
+        return linesOf(n -> !(shares[n] > 0)).boxed().findFirst();
     }
 
     /** @return the lines of these vertices */
-    private IntStream vertices(IntPredicate which) {
+    private IntStream linesOf(IntPredicate which) {
         return IntStream.range(0, positions.length).filter(which).map(n -> contents.vertices().get(n).line());
     }
 
@@ -79,8 +79,8 @@ final class Mesh implements ParticleLayout {
         BitSet joined = new BitSet();
         contents.polygons().forEach(polygon -> IntStream.of(polygon.corners()).forEach(joined::set));
         Set<Long> sides = new HashSet<>();
-        return Stream.of(remark("this vertex is at the place of another", vertices(n -> !taken.add(positions[n]))),
-                remark("this vertex belongs to no face or line", vertices(n -> !joined.get(n))),
+        return Stream.of(remark("this vertex is at the place of another", linesOf(n -> !taken.add(positions[n]))),
+                remark("this vertex belongs to no face or line", linesOf(n -> !joined.get(n))),
                 remark("this face and a neighbour are turned to opposite sides", faces.stream().flatMapToInt(face ->
                 pairs(face.corners(), 1, 1).filter(side -> !sides.add(side)).mapToInt(side -> face.line()))))
                 .flatMap(Optional::stream).toList();

@@ -49,8 +49,10 @@ final class ObjReader {
     /**
      * The contents of a file.
      *
-     * @param source its name in messages
-     * @param groups the vertices of each group and object
+     * @param source   its name in messages
+     * @param vertices its vertices
+     * @param polygons its faces, and the parts of its lines
+     * @param groups   the vertices of each group and object
      */
     record Contents(String source, List<Vertex> vertices, List<Polygon> polygons, Map<String, BitSet> groups) {
     }

@@ -124,7 +124,7 @@ public final class EffectSample {
             return particles;
         }
 
-        /** In a row. */
+        /** The particles stand in a row along x, 1 m apart. */
         @Override
         public Vector3 position(int particle) {
             return new Vector3(particle, 0, 0);
@@ -137,7 +137,7 @@ public final class EffectSample {
 
         @Override
         public IntStream springs(String shape, String family, Optional<String> part) {
-            return IntStream.empty();
+            return IntStream.range(0, springs.springCount());
         }
 
         @Override

@@ -39,7 +39,7 @@ public enum Phrase {
     ROW(Kind.METHOD, "%s; %s %s, and %s says %s"),
     ASTRAY(Kind.METHOD, "%s; %s"),
     OTHER_TIME(Kind.TIME, "%s; the measured order is %s"),
-    EARLY_OR_LATE(Kind.STYLE, "%s; the measured order is %s all the same"),
+    EARLY_OR_LATE(Kind.STYLE, "%s; this does not lower the order, measured as %s"),
     OTHER_TIMES(Kind.STYLE, "the equation of %s is off by %s where a force changes with the clock: its derivatives"
             + " are at other times"),
     CONTRADICTS(Kind.NAME, "this is %s and not %s"),

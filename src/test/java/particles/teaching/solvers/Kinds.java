@@ -207,7 +207,7 @@ final class Kinds {
         });
     }
 
-    /** y = s + deltaT f by a simple iteration, with f between s and y, and the clock so many deltaT after t. */
+    /** y = s + deltaT f by a simple iteration, with f between s and y, and the clock at t + clock deltaT. */
     static Step implicit(double place, double clock) {
         return from((source, h, s) -> {
             double[] y = s;

@@ -107,7 +107,7 @@ class SolverCheckTest {
         return List.of(SolverCheck.check(maker, method), SolverCheck.check(maker, "Mine"));
     }
 
-    /** The scheme with its clock so many deltaT after t in all evaluations. */
+    /** The scheme with all evaluations at a clock so many deltaT after t. */
     private static Scheme atClock(Scheme scheme, double clock) {
         double[] times = new double[scheme.size()];
         Arrays.fill(times, clock);
