@@ -56,7 +56,7 @@ class ExperimentOptionsTest {
             stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: unknown solver 'rk'
             energyDrift    | -Pscene=sprng       | there is no scene 'sprng'
             energyDrift    | -Pset=duration=soon | -Pset duration:
-            race           | -Pset=duration=0    | option -Pset: duration: a race has to last longer than 0 s
+            race           | -Pset=duration=0    | option -Pset: the duration is 0 s, and a race needs more
             energyDrift    | -Psolvers=rk4,rk4   | option -Psolvers: 'rk4' appears twice
             workPrecision  | -Pproblem=cloth,cloth | option -Pproblem: 'cloth' appears twice
             report         | -Pexperiments=race,race | option -Pexperiments: 'race' appears twice

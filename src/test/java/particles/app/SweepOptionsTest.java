@@ -60,9 +60,12 @@ class SweepOptionsTest {
             springs[0].damping = 0 .. 5      | option -Pvary: '0 .. 5' is not a range such as 0 .. 40 by 5
             springs[0].damping = 0..5 by     | option -Pvary: '0..5 by' is not a range such as
             springs[0].damping = 0 .. x by 1 | option -Pvary: 'x' is not a number
+            springs[0].damping = 0 .. 8 by 1d | option -Pvary: '1d' is not a number
+            springs[0].damping = 0x1p0 .. 8 by 1 | option -Pvary: '0x1p0' is not a number
+            springs[0].damping = 0 .. 8 by NaN | option -Pvary: 'NaN' is not a number
             springs[0].damping = 0 .. 5 by 0 | option -Pvary: in '0 .. 5 by 0' the step does not lead to the last value
             springs[0].damping = 5 .. 0 by 1 | option -Pvary: in '5 .. 0 by 1' the step does not lead to the last value
-            springs[0].damping = 0 .. 5 log 3 | option -Pvary: a logarithmic range such as '0 .. 5 log 3' has two
+            springs[0].damping = 0 .. 5 log 3 | option -Pvary: a logarithmic range needs two different ends
             springs[0].damping = 1 .. 5 log 1 | option -Pvary: in '1 .. 5 log 1', log has to be followed by the number
             springs[0].damping = 1 .. 5 log 2.5 | option -Pvary: in '1 .. 5 log 2.5', log has to be followed by the
             springs[0].damping = 0.001 .. 0.0010001 log 100 | option -Pvary: '0.001 .. 0.0010001 log 100' has too \

@@ -71,10 +71,11 @@ final class RowFile implements AutoCloseable {
      * @param folder a folder with files of rows, itself or in its folders
      * @param name   the beginning of their names
      * @param axes   the number of axes
+     * @param cells  the number of cells in a row: axes, measures and the end
      * @return the rows by their points
      * @throws InvalidInputException if a file has a line that is no row
      */
-    static Map<List<String>, Row> read(Path folder, String name, int axes) {
+    static Map<List<String>, Row> read(Path folder, String name, int axes, int cells) {
         Map<List<String>, Row> rows = new LinkedHashMap<>();
         if (!Files.isDirectory(folder)) {
             return rows;
@@ -82,7 +83,7 @@ final class RowFile implements AutoCloseable {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(one -> one.getFileName().toString().startsWith(name)).sorted().toList()) {
                 for (CSVRecord line : CSVFormat.RFC4180.parse(new StringReader(whole(file))).getRecords()) {
-                    Row row = row(line.toList(), axes).orElseThrow(() -> new InvalidInputException(file + ": row "
+                    Row row = row(line.toList(), axes, cells).orElseThrow(() -> new InvalidInputException(file + ": row "
                             + line.getRecordNumber() + " is none of this sweep; remove it, or the file"));
                     rows.put(row.at(), row);
                 }
@@ -94,11 +95,10 @@ final class RowFile implements AutoCloseable {
         return rows;
     }
 
-    private static Optional<Row> row(List<String> cells, int axes) {
-        int end = cells.size() - 1;
+    private static Optional<Row> row(List<String> line, int axes, int cells) {
         try {
-            return end < axes ? Optional.empty() : Optional.of(new Row(cells.subList(0, axes),
-                    cells.subList(axes, end).stream().map(Double::valueOf).toList(), cells.get(end)));
+            return line.size() != cells ? Optional.empty() : Optional.of(new Row(line.subList(0, axes),
+                    line.subList(axes, cells - 1).stream().map(Double::valueOf).toList(), line.get(cells - 1)));
         } catch (NumberFormatException e) {
             return Optional.empty();
         }

@@ -33,8 +33,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle sweep}: runs a scene over values of its keys. */
-@Command(name = "sweep", usageHelpWidth = 110, description = "Runs a scene over values of its keys, and charts what is measured of each run.",
-        footer = """
+@Command(name = "sweep", usageHelpWidth = 110, description =
+        "Runs a scene over values of its keys, and charts what is measured of each run.", footer = """
 
         A run that is in FOLDER is not computed again. On several cores or machines, compute parts and
         collect them; every command has the same scene, keys, values and measures:
@@ -169,7 +169,7 @@ public final class SweepCommand extends ExperimentCommand {
     private List<Row> compute(ProgressListener progress) {
         List<List<String>> points = grid.get().part(part.get(0), part.get(1));
         String name = rowsName();
-        Map<List<String>, Row> known = RowFile.read(getFolder(), name, grid.get().axes().size());
+        Map<List<String>, Row> known = known(getFolder());
         String mine = name + (part.get(1) == 1 ? "" : "-" + part.get(0) + "of" + part.get(1)) + ".csv";
         try (RowFile rows = RowFile.open(getFolder().resolve(mine))) {
             return progress.onAllCores(points, point -> String.join(", ", point), point -> {
@@ -183,8 +183,13 @@ public final class SweepCommand extends ExperimentCommand {
         }
     }
 
+    private Map<List<String>, Row> known(Path folder) {
+        int axes = grid.get().axes().size();
+        return RowFile.read(folder, rowsName(), axes, axes + measures.get().size() + 1);
+    }
+
     private List<Row> collected(Path folder) {
-        Map<List<String>, Row> known = RowFile.read(folder, rowsName(), grid.get().axes().size());
+        Map<List<String>, Row> known = known(folder);
         List<List<String>> points = grid.get().points();
         List<List<String>> missing = points.stream().filter(point -> !known.containsKey(point)).toList();
         if (!missing.isEmpty()) {

@@ -106,7 +106,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private static void close(List<MotionFile> open) {
         if (!open.isEmpty()) {
-            try (MotionFile file = open.get(0)) {
+            MotionFile file = open.get(0);
+            try (file) {
                 close(open.subList(1, open.size()));
             }
         }

@@ -9,10 +9,13 @@ import static particles.Texts.assertHas;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
@@ -116,6 +119,14 @@ class SweepCommandTest {
         assertTrue(again.stream().anyMatch(line -> line.endsWith(",not computed again")), again.toString());
         List<String> whole = Files.readAllLines(top.resolve("whole/sweep.csv"));
         assertEquals(whole, again.stream().map(line -> line.replace("not computed again", "done")).toList());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x,y,z", "1", "0,0.01,one,2,done"})
+    void aLineThatIsNoRowIsRefused(String line) throws IOException {
+        sweep(ExitCode.DONE, "rows");
+        Files.writeString(rows("rows"), line + "\n", StandardOpenOption.APPEND);
+        assertHas(sweep(ExitCode.BAD_INPUT, "rows"), rows("rows") + ": row 11 is none of this sweep");
     }
 
     @Test

@@ -159,6 +159,8 @@ class SceneGridTest {
         assertEquals(List.of("3", "1", "-1"), GridAxis.list("k = 3 .. -2 by -2").get(0).values());
         assertEquals(List.of("0.001", "0.00316228", "0.01", "0.0316228", "0.1"),
                 GridAxis.list("k = 1e-3..1e-1 log 5").get(0).values());
+        assertEquals(List.of("1.2345678", "3.51364", "10.000001"),
+                GridAxis.list("k = 1.2345678 .. 10.000001 log 3").get(0).values(), "ends keep their digits");
         assertEquals(List.of("[0, -9.81, 0]", "[0, 0, 0]"), GridAxis.list("g = [0, -9.81, 0], [0, 0, 0]").get(0)
                 .values());
         assertEquals(List.of(List.of("1", "3"), List.of("1", "4"), List.of("2", "3"), List.of("2", "4")),
