@@ -16,7 +16,7 @@ public final class EffectCatalog {
             new PointAttraction.Keys(),
             new Gravitation.Keys(),
             new MagneticField.Keys(),
-            new Muscles.Keys(),
+            new MuscleKeys(),
             new Cohesion.Keys(),
             new Repulsion.Keys(),
             new Penalty.PlaneKeys(),

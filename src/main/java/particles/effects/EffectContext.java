@@ -2,6 +2,7 @@ package particles.effects;
 
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Obstacle;
@@ -36,6 +37,9 @@ public interface EffectContext {
 
     /** @return the wind, {@link Wind#STILL} unless the scene has one */
     Wind wind();
+
+    /** @return the forces that were added so far */
+    Stream<Effect> effects();
 
     /** @param effect a force to act on the particles */
     void add(Effect effect);

@@ -1,28 +1,18 @@
 package particles.effects;
 
 import deSolvers.ForceDerivatives;
-import java.util.HashMap;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
+import java.util.TreeMap;
 import particles.effects.springs.SpringForce;
 import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.law.Vector3;
-import particles.spec.Key;
-import particles.spec.ListType;
-import particles.spec.MappingType;
-import particles.spec.NameType;
-import particles.spec.NumberType;
-import particles.spec.TextType;
-import particles.spec.Values;
-import particles.spec.VectorType;
-import particles.spec.messages.InvalidInputException;
 
 /**
  * Muscles: springs whose rest length varies,
@@ -34,8 +24,9 @@ import particles.spec.messages.InvalidInputException;
  *
  * <p>The springs' own force has l, so this law adds the difference: with the spring's direction u from its first end i
  * to the other, F_i = -k (l(t) - l) u and F_j = -F_i. A spring that tears, or dies with a particle, takes its muscle
- * with it. Both laws together store k (|r| - l(t))&sup2;/2; this law's share is what the springs' lacks. A muscle that
- * shortens under tension does work: its driven power is -k (|r| - l(t)) dl/dt.
+ * with it; strain, for tearing and for colours, is measured from l. Both laws together store k (|r| - l(t))&sup2;/2;
+ * this law's share is what the springs' lacks. A muscle that shortens under tension does work: its driven power is -k
+ * (|r| - l(t)) dl/dt.
  *
  * <p>Source: G. Miller, "The motion dynamics of snakes and worms", SIGGRAPH 1988.
  */
@@ -43,14 +34,16 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
     private final SpringForce springs;
     private final double period;
     private final double rise;
-    private Muscle[] muscles = {};
+    private final BitSet driven = new BitSet();          // the springs that are muscles
+    private List<Muscle> muscles = new ArrayList<>();
 
     /** A spring, a cos(2 pi phase) and a sin(2 pi phase). */
     private record Muscle(int spring, double cos, double sin) {
     }
 
-    /** Two numbers that all muscles have in common; with a muscle's own they give its (l(t) - l)/l, or its rate. */
+    /** What all muscles have in common: sin(2 pi t/T) and cos(2 pi t/T), both times the risen part, or their rates. */
     private record Beat(double sin, double cos) {
+        /** (l(t) - l)/l of a muscle, or its rate. */
         double of(Muscle muscle) {
             return sin * muscle.cos + cos * muscle.sin;
         }
@@ -70,7 +63,7 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
     }
 
     /**
-     * Makes a spring a muscle.
+     * Makes a spring a muscle, which it is not yet.
      *
      * @param spring    its index
      * @param amplitude a, from 0 to 1
@@ -78,20 +71,28 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
      */
     public void add(int spring, double amplitude, double phase) {
         double angle = 2 * Math.PI * phase;
-        Muscle muscle = new Muscle(spring, amplitude * StrictMath.cos(angle), amplitude * StrictMath.sin(angle));
-        muscles = Stream.concat(Stream.of(muscles), Stream.of(muscle)).toArray(Muscle[]::new);
+        muscles.add(new Muscle(spring, amplitude * StrictMath.cos(angle), amplitude * StrictMath.sin(angle)));
+        driven.set(spring);
+    }
+
+    /** @return whether a spring is a muscle */
+    boolean hasMuscle(int spring) {
+        return driven.get(spring);
     }
 
     /** Follows the springs to their new places, {@code order[place]} being the old one. */
     private void follow(int[] order) {
-        Map<Integer, Muscle> before = new HashMap<>();
-        for (Muscle muscle : muscles) {
-            before.put(muscle.spring, muscle);
-        }
-        muscles = IntStream.range(0, order.length).filter(place -> before.containsKey(order[place])).mapToObj(place -> {
+        Map<Integer, Muscle> before = new TreeMap<>();
+        muscles.forEach(muscle -> before.put(muscle.spring, muscle));
+        muscles = new ArrayList<>();
+        driven.clear();
+        for (int place = 0; place < order.length; place++) {
             Muscle muscle = before.get(order[place]);
-            return new Muscle(place, muscle.cos, muscle.sin);
-        }).toArray(Muscle[]::new);
+            if (muscle != null) {
+                muscles.add(new Muscle(place, muscle.cos, muscle.sin));
+                driven.set(place);
+            }
+        }
     }
 
     @Override
@@ -112,7 +113,7 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
     /** {@inheritDoc} The period. */
     @Override
     public double getShortestTime(double[] state, double time) {
-        return muscles.length > 0 ? period : Double.POSITIVE_INFINITY;
+        return !muscles.isEmpty() ? period : Double.POSITIVE_INFINITY;
     }
 
     private Beat beat(double time) {
@@ -127,14 +128,14 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
         double sin = StrictMath.sin(omega * time);
         double cos = StrictMath.cos(omega * time);
         double risen = omega * risen(time);
-        double u = time / rise;
+        double u = rise > 0 ? time / rise : 1;
         double rising = u > 0 && u < 1 ? 30 * u * u * (1 - u) * (1 - u) / rise : 0;
         return new Beat(rising * sin + risen * cos, rising * cos - risen * sin);
     }
 
     /** The part of its amplitude that a muscle has reached. */
     private double risen(double time) {
-        double u = Math.max(0, time / rise);
+        double u = rise > 0 ? Math.max(0, time / rise) : 1;
         return u < 1 ? u * u * u * (10 + u * (6 * u - 15)) : 1;
     }
 
@@ -212,94 +213,5 @@ public final class Muscles implements DifferentiableEffect, BriefForce {
             power -= springs.stiffness(s) * stretch * springs.restLength(s) * rate.of(muscle);
         }
         return power;
-    }
-
-    /** Muscles in scenes. */
-    public static final class Keys extends EffectKind {
-        private static final Key<String> FROM = SharedKeys.PARTICLE.required("from", "The particle where it begins.");
-        private static final Key<String> TO = SharedKeys.PARTICLE.required("to", "The particle where it ends.");
-        private static final Key<Double> OWN_PHASE = NumberType.any("").withDefault("phase", 0.0,
-                "How far it is ahead of the others, in periods.");
-        private static final NumberType FRACTION = NumberType.between(0, 1, "");
-        private static final Key<Double> OWN_AMPLITUDE = FRACTION.optional("amplitude",
-                "Its own amplitude; by default that of all.");
-        private static final Key<List<Values>> SPRINGS = ListType.of("a muscle", MappingType.of("a muscle", FROM, TO,
-                OWN_PHASE, OWN_AMPLITUDE)).withDefault("springs", List.of(),
-                "Single springs, by their ends. By default, and without 'shape', all springs are muscles.");
-        private static final Key<String> SHAPE = TextType.of("the id of a shape", "\\S").optional("shape",
-                "A shape of whose springs all of a family are muscles.");
-        private static final Key<String> FAMILY = NameType.of("family", List.of("structural", "shear", "bend"))
-                .withDefault("family", "structural", "The family of springs in this shape.");
-        private static final Key<String> PART = TextType.of("the name of a part of the shape", "\\S").optional("part",
-                "A part of this shape, as in 'fixed': only springs with both ends in it are muscles.");
-        private static final Key<Double> AMPLITUDE = FRACTION.required("amplitude",
-                "a: the rest length is l (1 + a sin(2 pi (t/period - s/wavelength + phase))).");
-        private static final Key<Double> PERIOD = NumberType.positive("s").required("period", "T, the period (s).");
-        private static final Key<Double> WAVELENGTH = NumberType.positive("m").optional("wavelength",
-                "lambda, the length of a wave that runs along the body (m); without it all muscles work together.");
-        private static final Key<Vector3> DIRECTION = VectorType.notZero("").withDefault("direction",
-                new Vector3(1, 0, 0), "The direction in which the wave runs, and along which s is measured: from the"
-                + " hindmost muscle to the middle of each, at the start.");
-        private static final Key<Double> PHASE = NumberType.any("").withDefault("phase", 0.0,
-                "How far all these muscles are ahead, in periods.");
-        private static final Key<Double> RISE = NumberType.notNegative("").withDefault("rise", 1.0,
-                "In how many periods the amplitude rises from 0; 0 for a start at once.");
-
-        /** Called once, by {@link EffectCatalog}. */
-        public Keys() {
-            super("muscles", "Springs whose rest lengths swing.", AMPLITUDE, PERIOD, WAVELENGTH, DIRECTION, PHASE,
-                    RISE, SPRINGS, SHAPE, FAMILY, PART);
-        }
-
-        /** Single springs come before those of a shape, so that their own numbers count. */
-        @Override
-        public void build(Values values, EffectContext scene) {
-            SpringForce springs = scene.springs();
-            Map<Integer, Values> chosen = new HashMap<>();
-            for (Values single : values.get(SPRINGS)) {
-                chosen.put(find(single, scene), single);
-            }
-            Optional<String> shape = values.find(SHAPE);
-            IntStream others = shape.map(id -> scene.springs(id, values.get(FAMILY), values.find(PART))).orElseGet(() ->
-                    IntStream.range(0, chosen.isEmpty() ? springs.springCount() : 0));
-            others.forEach(s -> chosen.putIfAbsent(s, new Values(values.getPlace())));
-            if (chosen.isEmpty()) {
-                throw new InvalidInputException(values.place(SHAPE) + ": there are no "
-                        + shape.map(id -> values.get(FAMILY) + " springs in '" + id + "'"
-                        + values.find(PART).map(part -> ", part '" + part + "'").orElse("")).orElse("springs"));
-            }
-            Vector3 direction = values.get(DIRECTION).normalized();
-            double[] along = IntStream.range(0, springs.springCount()).mapToDouble(s -> 0.5 * direction.dot(
-                    scene.position(springs.from(s)).plus(scene.position(springs.to(s))))).toArray();
-            double hindmost = chosen.keySet().stream().mapToDouble(s -> along[s]).min().orElseThrow();
-            Muscles muscles = new Muscles(springs, values.get(PERIOD), values.get(RISE));
-            chosen.forEach((s, own) -> {
-                double amplitude = own.find(OWN_AMPLITUDE).orElse(values.get(AMPLITUDE));
-                muscles.add(s, amplitude, values.get(PHASE) + own.find(OWN_PHASE).orElse(0.0)
-                        - values.find(WAVELENGTH).map(length -> (along[s] - hindmost) / length).orElse(0.0));
-                scene.noteSpeed(2 * Math.PI * amplitude * springs.restLength(s) / values.get(PERIOD));
-            });
-            scene.add(muscles);
-        }
-
-        private static int find(Values single, EffectContext scene) {
-            List<String> ends = List.of(single.get(FROM), single.get(TO));
-            SpringForce springs = scene.springs();
-            return IntStream.range(0, springs.springCount()).filter(s -> Set.copyOf(ends).equals(Set.of(
-                    scene.particles().id(springs.from(s)), scene.particles().id(springs.to(s))))).findFirst()
-                    .orElseThrow(() -> new InvalidInputException(single.getPlace() + ": there is no spring between '"
-                            + ends.get(0) + "' and '" + ends.get(1) + "'"));
-        }
-
-        @Override
-        public List<String> particles(Values values) {
-            return Stream.concat(values.find(SHAPE).stream(), values.list(SPRINGS).stream().flatMap(single ->
-                    Stream.of(FROM, TO).flatMap(end -> single.find(end).stream()))).toList();
-        }
-
-        @Override
-        public boolean isRepeatable() {
-            return true;
-        }
     }
 }

@@ -12,8 +12,10 @@ import particles.law.Passage;
  */
 abstract class ShortRangeForce extends PairForce {
     /**
-     * By how much the balls are larger in the middle of a sub-step. It is a quarter of the shortest time, in which none
-     * moves by more than its radius relative to another, and so by half of it from the middle on.
+     * By how much balls are enlarged in the middle of a sub-step, to find those that touch within it. A sub-step is
+     * planned as a quarter of the shortest time: with the speeds of its beginning, no ball moves relative to another by
+     * more than the smallest radius, and so by half of it before the middle and after. Balls that are much faster at
+     * the end of a sub-step than at its beginning may touch unseen.
      */
     private static final double WIDER = 1 + TimeScaleSource.PART;
 

@@ -9,7 +9,7 @@ package particles.law;
  * its rate changes sign. Both that time and the time of entry are found by bisection.
  */
 public abstract class Passage {
-    /** An end feels a passage at this part of its largest depth. */
+    /** An end feels a passage if it is at least so deep inside, as a part of the largest depth. */
     private static final double FELT = 0.1;
     /** Each halves the interval in which a time is. */
     private static final int BISECTIONS = 40;
@@ -93,7 +93,7 @@ public abstract class Passage {
         return Math.abs(h) * (entry > middle - entry ? entry : middle);
     }
 
-    /** The last fraction of the duration, below this one, where it is still sinking, or still outside. */
+    /** The last fraction of the duration, below this one, at which it is still sinking; or else still outside. */
     private double bisect(double high, boolean sinking) {
         double low = 0;
         for (int k = 0; k < BISECTIONS; k++) {

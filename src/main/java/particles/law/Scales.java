@@ -6,9 +6,9 @@ package particles.law;
  * Coulomb's mu is multiplied by three factors.
  *
  * <p>Without scales, the friction of a contact is any vector in a disc of radius mu lambda, with the normal force
- * lambda. Scales make two half ellipses of the disc: S<sup>-1</sup> f lies in it, where S multiplies the part along the
+ * lambda. With scales it is two half ellipses: S<sup>-1</sup> f lies in it, where S multiplies the part along the
  * axis by the factor for the direction of motion that f resists, and the part across by the third factor. Of these
- * forces, sliding with v brings the one that takes most energy, f = -mu lambda S&sup2; v / |S v|: its power -mu lambda
+ * forces, that of sliding with v takes most energy, f = -mu lambda S&sup2; v / |S v|: its power -mu lambda
  * |S v| is never positive. (The principle and the set: S. Goyal, A. Ruina and J. Papadopoulos, "Planar sliding with dry
  * friction", Wear 143, 1991. Snakes: D. Hu, J. Nirody, T. Scott and M. Shelley, "The mechanics of slithering
  * locomotion", PNAS 106, 2009, with factors of 1, 1.3 and 1.8. They take -mu lambda S v / |v|, a force of the same
@@ -35,10 +35,15 @@ public record Scales(int tail, int head, double forward, double backward, double
         return Vector3.at(state, Particles.STRIDE * head).minus(Vector3.at(state, Particles.STRIDE * tail));
     }
 
-    /** @return the largest factor by which the derivative of friction by the velocity is that without scales */
+    /** @return the largest derivative of friction by the velocity, as a multiple of that without scales */
     public double sharpness() {
-        double largest = Math.max(across, Math.max(forward, backward));
-        return largest * largest / Math.min(across, Math.min(forward, backward));
+        return Math.max(sharpness(forward), sharpness(backward));
+    }
+
+    /** The largest curvature of the half ellipse with this factor along the axis. */
+    private double sharpness(double along) {
+        double largest = Math.max(along, across);
+        return largest * largest / Math.min(along, across);
     }
 
     /**

@@ -111,7 +111,7 @@ class GrazingPassagesTest {
 
     /**
      * With w at the ceiling, y = w/q sin(q t) - g/q&sup2; (1 - cos(q t)) above it, q&sup2; = k, until t = 2/q atan(w
-     * q/g). A particle that flew as high without a ceiling would come down later, up to 0.1 s.
+     * q/g). A particle that flew as high without a ceiling would come down later, up to 0.16 s.
      * Measured: 3.6e-6 m/s in low throws, 7.2e-5 in the others, both with dormand-prince.
      */
     @ParameterizedTest

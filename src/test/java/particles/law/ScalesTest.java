@@ -109,7 +109,7 @@ class ScalesTest {
         assertEquals(new Skin(Vector3.ZERO, 2, 2, 2), scales.skin(1, Vector3.ZERO));
         assertEquals(new Skin(new Vector3(1, 0, 0), 0.5, 3, 2), scales.skin(4, new Vector3(4, 0, 0)));
         assertEquals(new Skin(Vector3.ZERO, 2, 2, 2), scales.skin(0, Vector3.ZERO));
-        assertEquals(18, scales.sharpness());
+        assertEquals(8, scales.sharpness());
     }
 
     @Test

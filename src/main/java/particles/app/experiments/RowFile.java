@@ -83,8 +83,8 @@ final class RowFile implements AutoCloseable {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(one -> one.getFileName().toString().startsWith(name)).sorted().toList()) {
                 for (CSVRecord line : CSVFormat.RFC4180.parse(new StringReader(whole(file))).getRecords()) {
-                    Row row = row(line.toList(), axes, cells).orElseThrow(() -> new InvalidInputException(
-                            file + ": row " + line.getRecordNumber() + " is none of this sweep; remove it, or the file"));
+                    Row row = row(line.toList(), axes, cells).orElseThrow(() -> new InvalidInputException(file
+                            + ": row " + line.getRecordNumber() + " is none of this sweep; remove it, or the file"));
                     rows.put(row.at(), row);
                 }
             }

@@ -48,7 +48,7 @@ public final class ParticleIndex {
         return shapes;
     }
 
-    /** @return the numbers of a shape's springs of one sort, all or within a part; those of shapes come first */
+    /** @return the indices of a shape's springs of one sort, all or within a part; those of all shapes come first */
     IntStream springs(String id, String sort, Optional<String> part) {
         IntStream.Builder found = IntStream.builder();
         int[] next = {0};

@@ -106,7 +106,7 @@ public class RuleKind extends Kind {
                 && rule.values().get(RESTITUTION) > 0 && rule.values().get(RESTITUTION) < 1;
     }
 
-    /** @return whether this rule of a scene, or what its friction was meant to be, slows what slides */
+    /** @return whether this rule of a scene names a friction, correct or not */
     public static boolean hasFriction(Chosen<RuleKind> rule) {
         return rule.values().isGiven(FRICTION);
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.EffectContext;
@@ -104,6 +105,11 @@ public final class SceneAssembly implements EffectContext {
     @Override
     public Optional<Double> ownRadius(int particle) {
         return index.particle(system.getParticles().id(particle)).radius();
+    }
+
+    @Override
+    public Stream<Effect> effects() {
+        return system.getEffects().stream();
     }
 
     @Override

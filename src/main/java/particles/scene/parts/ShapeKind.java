@@ -33,9 +33,9 @@ public final class ShapeKind extends Kind {
     static final Key<Vector3> VELOCITY = VectorType.of("m/s").withDefault("velocity", Vector3.ZERO,
             "The velocity of all free particles at the start (m/s).");
     private static final Key<Double> FORWARD = NumberType.positive("").required("forward",
-            "Factor of the friction on a particle that slides towards the next one, nearer the head.");
+            "Factor of the friction on a particle that slides along the body towards the head.");
     private static final Key<Double> BACKWARD = NumberType.positive("").required("backward",
-            "Factor of the friction on a particle that slides away from the next one.");
+            "Factor of the friction on a particle that slides along the body towards the tail.");
     private static final Key<Double> ASIDE = NumberType.positive("").required("across",
             "Factor of the friction on a particle that slides sideways.");
     /** Friction that depends on the direction. */

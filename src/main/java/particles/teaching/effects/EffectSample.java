@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
@@ -143,6 +144,11 @@ public final class EffectSample {
         @Override
         public Wind wind() {
             return wind;
+        }
+
+        @Override
+        public Stream<Effect> effects() {
+            return effects.stream();
         }
 
         @Override
