@@ -103,7 +103,8 @@ class OnlyWhatIsNamedTest {
             Set<String> classes = new TreeSet<>();
             List.of("particles.effects.", "particles.reactions.", "particles.rules.")
                     .forEach(room -> classes.addAll(program.loadedFrom(room)));
-            classes.removeIf(name -> name.matches(".*(\\$|Muscle)\\w*Keys") || name.startsWith("particles.effects.springs."));
+            classes.removeIf(name -> name.matches(".*(\\$|Muscle)\\w*Keys")
+                    || name.startsWith("particles.effects.springs."));
             assertEquals(Set.of("particles.effects.EffectCatalog", "particles.effects.EffectKind",
                     "particles.effects.EffectContext", "particles.effects.SharedKeys",
                     "particles.reactions.Curve"), classes);
