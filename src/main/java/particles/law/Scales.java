@@ -5,15 +5,18 @@ package particles.law;
  * Its body's axis points from one particle to the next, which is nearer the head; forward, backward and across it,
  * Coulomb's mu is multiplied by three factors.
  *
- * <p>Without scales, the friction of a contact is any vector in a disc of radius mu lambda, with the normal force
- * lambda. With scales it is two half ellipses: S<sup>-1</sup> f lies in it, where S multiplies the part along the
- * axis by the factor for the direction of motion that f resists, and the part across by the third factor. Of these
- * forces, that of sliding with v takes most energy, f = -mu lambda S&sup2; v / |S v|: its power -mu lambda
- * |S v| is never positive. (The principle and the set: S. Goyal, A. Ruina and J. Papadopoulos, "Planar sliding with dry
- * friction", Wear 143, 1991. Snakes: D. Hu, J. Nirody, T. Scott and M. Shelley, "The mechanics of slithering
- * locomotion", PNAS 106, 2009, with factors of 1, 1.3 and 1.8. They take -mu lambda S v / |v|, a force of the same
- * ellipses that takes less. G. Miller, "The motion dynamics of snakes and worms", SIGGRAPH 1988, lets nothing slide
- * backward.)
+ * <p>Without scales, the friction of a contact is any vector in a disc of radius mu lambda, where lambda is the normal
+ * force. With scales that disc becomes two half ellipses: S<sup>-1</sup> f lies in the disc, where S multiplies the
+ * part along the axis by the factor for the direction of motion that f resists, and the part across by the third
+ * factor. Of these forces, that of sliding with v dissipates most, f = -mu lambda S&sup2; v / |S v|: its power, -mu
+ * lambda |S v|, is never positive. (The principle and the set: S. Goyal, A. Ruina and J. Papadopoulos, "Planar
+ * sliding with dry friction", Wear 143, 1991. Snakes: D. Hu, J. Nirody, T. Scott and M. Shelley, "The mechanics of
+ * slithering locomotion", PNAS 106, 2009, with factors of 1, 1.3 and 1.8. They take -mu lambda S v / |v|, a force of
+ * the same ellipses that takes less. G. Miller, "The motion dynamics of snakes and worms", SIGGRAPH 1988, lets nothing
+ * slide backward.)
+ *
+ * <p>With the slides' friction, which is proportional to speed, S multiplies the velocity. A particle keeps its axis if
+ * the spring to its neighbour tears, and loses its scales if the neighbour dies.
  *
  * @param tail     the index of the particle at which the axis begins
  * @param head     the index of the next particle

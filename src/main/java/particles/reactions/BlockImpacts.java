@@ -247,8 +247,8 @@ public final class BlockImpacts {
 
     /**
      * Coulomb's impulses across the normals: those that leave the least energy of all that are at most mu times the
-     * normal ones. Jacobi's iteration, with equal shares for all contacts of a particle, does not depend on their
-     * order.
+     * normal ones, or in the half ellipses of scales. Jacobi's iteration, with equal shares for all contacts of a
+     * particle, does not depend on their order.
      */
     private void rub(Block block, double fast, double[] state) {
         Row[] rows = Arrays.stream(block.rows).filter(row -> row.isContact() && row.bounce.friction() * row.force > 0)

@@ -155,7 +155,7 @@ class ScalesOnTheGroundTest {
         }
     }
 
-    /** At an impact without bounce at 2 m/s, friction takes mu times as much from the velocity along the ground. */
+    /** At an impact without bounce at 2 m/s, friction takes 2 m/s times mu and the factor from the velocity along. */
     @ParameterizedTest
     @CsvSource({"1.4, 0.5", "-4, 1.5"})
     void anImpactRubsWithTheFactorOfItsDirection(double speed, double factor) {
