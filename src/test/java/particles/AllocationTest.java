@@ -15,11 +15,11 @@ import particles.effects.AirDrag;
 import particles.effects.Cohesion;
 import particles.effects.Penalty;
 import particles.effects.PointAttraction;
+import particles.effects.Wind;
 import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /** No solver that steps by deltaT allocates in a step of particles; {@link deSolvers.DESolverContract} tests others. */
 class AllocationTest {

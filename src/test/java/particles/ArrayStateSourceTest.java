@@ -11,9 +11,9 @@ import deSolvers.problems.PlainSource;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.AirDrag;
+import particles.effects.Wind;
 import particles.law.AnchorMotion.CircleMotion;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
 class ArrayStateSourceTest {

@@ -16,10 +16,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.AirDrag;
+import particles.effects.Wind;
 import particles.energy.EnergyLedger;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.scene.Scene;
 import particles.scene.ShortRun;
 

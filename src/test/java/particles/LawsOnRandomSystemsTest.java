@@ -28,10 +28,10 @@ import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
 import particles.RandomSystem.Spring;
 import particles.effects.AirDrag;
+import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /**
  * Property tests of the laws of mechanics on random masses and springs. A counterexample is shrunk and printed with the

@@ -8,7 +8,6 @@ import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Require;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -8,7 +8,6 @@ import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /** The scene under construction, as needed to build an effect. */
 public interface EffectContext {

@@ -3,7 +3,6 @@ package particles.effects;
 import java.util.List;
 import particles.law.Require;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -6,7 +6,6 @@ import particles.law.Particles;
 import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

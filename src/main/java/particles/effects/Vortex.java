@@ -4,7 +4,6 @@ import java.util.List;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -12,7 +12,7 @@ public interface LabBuilder {
      * The content of the page.
      *
      * @param scenes   the texts of its scenes
-     * @param pictures small pictures of scenes, as PNG files
+     * @param pictures small pictures of scenes, as JPEG files
      * @param first    the one that it opens with
      * @param solver   the solver that it opens with, if it is not the scene's; else empty
      * @param solvers  the full names of students' solvers

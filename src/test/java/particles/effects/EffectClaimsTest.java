@@ -23,7 +23,6 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectClaims.Broken;
 import particles.teaching.effects.EffectClaims.Claim;

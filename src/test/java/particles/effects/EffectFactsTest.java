@@ -21,7 +21,6 @@ import particles.law.PerParticleEffect;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /** The interfaces and flags of each law, and the limits of its parameters. */
 class EffectFactsTest {

@@ -8,7 +8,6 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 class PushAndVortexTest {
 

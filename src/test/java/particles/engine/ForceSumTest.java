@@ -13,10 +13,10 @@ import particles.effects.AirDrag;
 import particles.effects.Gravity;
 import particles.effects.GustyWind;
 import particles.effects.Push;
+import particles.effects.Wind;
 import particles.law.ParticleForce;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /** A system's derivative is (v, F/m), with F the sum of what its effects add. */
 class ForceSumTest {

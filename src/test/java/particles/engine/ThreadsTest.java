@@ -26,11 +26,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.Cloth;
 import particles.ParticleSystem;
 import particles.effects.AirDrag;
+import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.PerParticleEffect;
 import particles.law.Vector3;
-import particles.law.Wind;
 
 /**
  * Any number of threads gives the same bits. The caller has to be a thread of no pool, as in a program: `gradle

@@ -106,7 +106,7 @@ class OnlyWhatIsNamedTest {
             classes.removeIf(name -> name.matches(".*(\\$|Muscle)\\w*Keys")
                     || name.startsWith("particles.effects.springs."));
             assertEquals(Set.of("particles.effects.EffectCatalog", "particles.effects.EffectKind",
-                    "particles.effects.EffectContext", "particles.effects.SharedKeys",
+                    "particles.effects.EffectContext", "particles.effects.SharedKeys", "particles.effects.Wind",
                     "particles.reactions.Curve"), classes);
             program.run(SPRINGS + "effects:\n  - cohesion: {range: 2, depth: 1}\n");
             assertTrue(program.loadedFrom("particles.effects.").contains("particles.effects.Cohesion"), "when named");

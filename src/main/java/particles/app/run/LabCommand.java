@@ -88,7 +88,7 @@ public final class LabCommand extends ProgramCommand {
      * Makes the gallery's pictures small: in full size they would be half of the page.
      *
      * @param scenes files of scenes
-     * @return a PNG file for each scene that has a picture
+     * @return a JPEG file for each scene that has a picture
      * @throws IOException if one cannot be read
      */
     public static Map<Path, byte[]> pictures(List<Path> scenes) throws IOException {
@@ -97,7 +97,7 @@ public final class LabCommand extends ProgramCommand {
             String name = file.getFileName().toString().replace(".yaml", ".png");
             Path drawn = file.resolveSibling("pictures").resolve(name);
             if (Files.exists(drawn)) {
-                pictures.put(file, Shrinker.png(drawn, 2));
+                pictures.put(file, Shrinker.jpeg(drawn, 2));
             }
         }
         return pictures;

@@ -12,7 +12,7 @@ export class Gallery {
     $('pictures').append(...scenes.map(scene => {
       const button = make('button', {type: 'button'}), picture = new Image(320, 180);
       picture.alt = '';
-      picture.src = scene.dataset.picture ? 'data:image/png;base64,' + scene.dataset.picture : 'data:,';
+      picture.src = scene.dataset.picture ? 'data:image/jpeg;base64,' + scene.dataset.picture : 'data:,';
       picture.hidden = !scene.dataset.picture;
       button.append(picture, [/^\d+/.exec(short(scene)), titleOf(scene)].join(' '));
       button.onclick = () => {

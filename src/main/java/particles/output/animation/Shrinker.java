@@ -1,10 +1,10 @@
 package particles.output.animation;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import particles.output.files.PngEncoder;
 
 /** Makes pictures smaller by a whole number: each pixel is the mean of a square of them. */
 public final class Shrinker {
@@ -25,15 +25,19 @@ public final class Shrinker {
      *
      * @param picture a PNG file
      * @param factor  by how much
-     * @return the smaller picture as a PNG file
+     * @return the smaller picture as a JPEG file, a quarter of the size of a PNG file
      * @throws IOException if it cannot be read
      */
-    public static byte[] png(Path picture, int factor) throws IOException {
+    public static byte[] jpeg(Path picture, int factor) throws IOException {
         BufferedImage image = ImageIO.read(picture.toFile());
         int width = image.getWidth();
         Shrinker shrinker = new Shrinker(width, image.getHeight(), factor);
-        return PngEncoder.file(shrinker.width, shrinker.height, shrinker.shrink(image.getRGB(0, 0, width,
-                image.getHeight(), null, 0, width)));
+        BufferedImage small = new BufferedImage(shrinker.width, shrinker.height, BufferedImage.TYPE_INT_RGB);
+        small.setRGB(0, 0, shrinker.width, shrinker.height, shrinker.shrink(image.getRGB(0, 0, width,
+                image.getHeight(), null, 0, width)), 0, shrinker.width);
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        ImageIO.write(small, "jpg", file);
+        return file.toByteArray();
     }
 
     /**

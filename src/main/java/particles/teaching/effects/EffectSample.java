@@ -13,12 +13,12 @@ import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
+import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.law.Wind;
 import particles.spec.ClassNames;
 
 /** Sample systems on which effects are checked, and effects by name. */

@@ -1,4 +1,4 @@
-package particles.law;
+package particles.effects;
 
 import java.util.Arrays;
 
