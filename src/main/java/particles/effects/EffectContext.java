@@ -37,8 +37,10 @@ public interface EffectContext {
     /** @return the wind, {@link Wind#STILL} unless the scene has one */
     Wind wind();
 
-    /** @return the forces that were added so far */
-    Stream<Effect> effects();
+    /** @return the forces that were added so far; here none */
+    default Stream<Effect> effects() {
+        return Stream.empty();
+    }
 
     /** @param effect a force to act on the particles */
     void add(Effect effect);

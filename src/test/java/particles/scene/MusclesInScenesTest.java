@@ -117,8 +117,8 @@ class MusclesInScenesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "springs: [{from: a, to: 'one[0]'}] | x.yaml:15:67: the spring between 'a' and 'one[0]' does not exist",
-        "springs: [{from: a, to: b}, {from: b, to: a}] | x.yaml:15:85: the spring between 'b' and 'a' appears twice in "
-            + "'springs'",
+        "springs: [{from: a, to: b}, {from: b, to: a}] | x.yaml:15:85: the spring between 'b' and 'a' "
+            + "appears twice in 'springs'",
         "springs: [{from: a, to: a}] | x.yaml:15:67: the spring between 'a' and 'a' does not exist",
         "springs: [] | x.yaml:15:20: there are no springs",
         "part: top | x.yaml:15:63: 'part' needs 'shape'",

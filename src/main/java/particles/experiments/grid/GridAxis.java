@@ -87,8 +87,8 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
         double by = number(range.group(4));
         boolean log = range.group(3).equals("log");
         if (log && !(first > 0 && last > 0 && first != last)) {
-            throw new IllegalArgumentException("a logarithmic range needs two different ends over 0, not '" + values
-                    + "'");
+            throw new IllegalArgumentException("a logarithmic range needs two different ends over 0, not"
+                    + " '" + values + "'");
         }
         if (log && !(by >= 2 && by == Math.rint(by))) {
             throw new IllegalArgumentException("in '" + values + "', log has to be followed by the number of values,"

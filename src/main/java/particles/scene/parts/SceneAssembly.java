@@ -20,9 +20,9 @@ import particles.law.Vector3;
 import particles.reactions.ContactSurface;
 import particles.rules.Collisions;
 import particles.rules.Deaths;
+import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
 import particles.view.Scenery.Surface;
-import particles.view.Scenery;
 
 /** A scene under construction: effects and rules are added to it and share its wind, surfaces and totals. */
 public final class SceneAssembly implements EffectContext {

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
@@ -138,17 +137,12 @@ public final class EffectSample {
 
         @Override
         public IntStream springs(String shape, String family, Optional<String> part) {
-            return IntStream.range(0, springs.springCount());
+            return IntStream.empty();
         }
 
         @Override
         public Wind wind() {
             return wind;
-        }
-
-        @Override
-        public Stream<Effect> effects() {
-            return effects.stream();
         }
 
         @Override
