@@ -2,9 +2,13 @@ package particles;
 
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
+import deSolvers.adaptive.DormandPrinceSolver;
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.energy.EnergyLedger;
@@ -99,6 +103,31 @@ public final class Systems {
                 return act.test(system);
             }
         };
+    }
+
+    /**
+     * @param start makes the system at its start
+     * @param name  a fixed-step solver
+     * @param steps a number of steps whose errors are not round-off
+     * @return the order measured from the errors of the state after this time, with these steps and with twice as many
+     */
+    public static double order(Supplier<ParticleSystem> start, String name, double duration, int steps) {
+        double[] exact = end(start, new DormandPrinceSolver(1e-13, 1e-13), duration, 1);
+        double coarse = largestDifference(exact, end(start, SolverCatalog.create(name), duration, steps));
+        double fine = largestDifference(exact, end(start, SolverCatalog.create(name), duration, 2 * steps));
+        return Math.log(coarse / fine) / Math.log(2);
+    }
+
+    private static double[] end(Supplier<ParticleSystem> start, DESolver solver, double duration, int steps) {
+        ParticleSystem system = start.get();
+        for (int step = 0; step < steps; step++) {
+            solver.stepState(system, duration / steps);
+        }
+        return system.getOwnState();
+    }
+
+    private static double largestDifference(double[] a, double[] b) {
+        return IntStream.range(0, a.length).mapToDouble(k -> Math.abs(a[k] - b[k])).max().orElseThrow();
     }
 
     /** @return entry k of the system's state: 0, 1, 2 position of the first particle, 3, 4, 5 its velocity */

@@ -100,11 +100,11 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         } else if (!apart && what.equals("rod")) {
             problems.add(place, samePlace(from, to) + "; a rod between them would have no length");
         } else if (!apart && !values.find(SpringDescription.REST_LENGTH).equals(Optional.of(0.0))) {
-            problems.add(place, samePlace(from, to) + "; a spring between them would have no direction, unless it has"
-                    + " restLength: 0");
+            problems.add(place, samePlace(from, to) + "; a spring between them would have no direction, unless it"
+                    + " has restLength: 0");
         } else if (!apart && values.get(SpringDescription.DAMPING) > 0) {
-            problems.add(place, samePlace(from, to) + "; the damping of a spring between them would have no"
-                    + " direction");
+            problems.add(place, samePlace(from, to) + "; the damping of a spring between them would have"
+                    + " no direction");
         }
         return apart;
     }

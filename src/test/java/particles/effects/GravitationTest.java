@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.adaptive.DormandPrinceSolver;
-import deSolvers.catalog.SolverCatalog;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
+import particles.Systems;
 import particles.engine.ParallelForces;
 import particles.law.Vector3;
 
@@ -63,20 +63,7 @@ class GravitationTest {
     @ParameterizedTest
     @CsvSource({"symplectic-euler, 1", "midpoint, 2", "verlet, 2", "rk4, 4", "yoshida4, 4", "implicit-midpoint, 2"})
     void everySolverHasItsOrder(String name, int order) {
-        double[] exact = end("dormand-prince", 1);
-        double coarse = distance(exact, end(name, 512));
-        double fine = distance(exact, end(name, 1024));
-        assertEquals(order, Math.log(coarse / fine) / Math.log(2), 0.2);
-    }
-
-    private static double[] end(String name, int steps) {
-        ParticleSystem system = figureOfEight();
-        DESolver solver = name.equals("dormand-prince") ? new DormandPrinceSolver(1e-13, 1e-13)
-                : SolverCatalog.create(name);
-        for (int step = 0; step < steps; step++) {
-            solver.stepState(system, 2.0 / steps);
-        }
-        return system.getOwnState();
+        assertEquals(order, Systems.order(GravitationTest::figureOfEight, name, 2, 512), 0.2);
     }
 
     /** Kepler: both go round their centre of mass in 2 pi sqrt(a^3/(G (m1 + m2))). */

@@ -67,25 +67,8 @@ class MagneticFieldTest {
     @CsvSource({"euler, 1", "symplectic-euler, 1", "midpoint, 2", "verlet, 2", "adams, 4", "rk4, 4", "yoshida4, 4",
             "backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
     void everySolverHasItsOrderInABottle(String name, int order) {
-        double[] exact = end("dormand-prince", 1);
-        double coarse = error(exact, end(name, 512));
-        double fine = error(exact, end(name, 1024));
-        assertEquals(order, Math.log(coarse / fine) / Math.log(2), 0.2);
-    }
-
-    private static double[] end(String name, int steps) {
-        ParticleSystem system = charged(1, new Vector3(0, 1, 2), 1.5, new Vector3(0.2, 0, 0.3),
-                new Vector3(0.5, 0.2, 1));
-        DESolver solver = name.equals("dormand-prince") ? new DormandPrinceSolver(1e-13, 1e-13)
-                : SolverCatalog.create(name);
-        for (int step = 0; step < steps; step++) {
-            solver.stepState(system, 2.0 / steps);
-        }
-        return system.getOwnState();
-    }
-
-    private static double error(double[] exact, double[] found) {
-        return Math.hypot(exact[0] - found[0], exact[1] - found[1]);
+        assertEquals(order, Systems.order(() -> charged(1, new Vector3(0, 1, 2), 1.5, new Vector3(0.2, 0, 0.3),
+                new Vector3(0.5, 0.2, 1)), name, 2, 512), 0.2);
     }
 
     /**

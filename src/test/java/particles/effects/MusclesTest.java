@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.DESolver;
 import deSolvers.adaptive.DormandPrinceSolver;
 import deSolvers.catalog.SolverCatalog;
 import org.junit.jupiter.api.Test;
@@ -130,45 +129,13 @@ class MusclesTest {
     @CsvSource({"euler, 1", "symplectic-euler, 1", "midpoint, 2", "verlet, 2", "adams, 4", "rk4, 4", "yoshida4, 4",
             "backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
     void everySolverHasItsOrder(String name, int order) {
-        double[] exact = end("dormand-prince", 1);
-        double coarse = error(exact, end(name, 4096));
-        double fine = error(exact, end(name, 8192));
-        assertEquals(order, Math.log(coarse / fine) / Math.log(2), 0.15);
-    }
-
-    private static double[] end(String name, int steps) {
-        ParticleSystem system = creature();
-        DESolver solver = name.equals("dormand-prince") ? new DormandPrinceSolver(1e-13, 1e-13)
-                : SolverCatalog.create(name);
-        for (int step = 0; step < steps; step++) {
-            solver.stepState(system, 2.0 / steps);
-        }
-        return system.getOwnState();
-    }
-
-    private static double error(double[] exact, double[] found) {
-        double most = 0;
-        for (int i = 0; i < exact.length; i++) {
-            most = Math.max(most, Math.abs(exact[i] - found[i]));
-        }
-        return most;
+        assertEquals(order, Systems.order(MusclesTest::creature, name, 2, 4096), 0.15);
     }
 
     /** Yoshida's first step looks at times before the beginning, where a muscle without a rise swings as well. */
     @Test
     void aMuscleThatBeginsAtOnceSwungBefore() {
-        double[] error = new double[2];
-        for (int k = 0; k < 2; k++) {
-            ParticleSystem exact = oneMuscle(0, 0.25, 0);
-            ParticleSystem found = oneMuscle(0, 0.25, 0);
-            new DormandPrinceSolver(1e-13, 1e-13).stepState(exact, 0.32);
-            DESolver yoshida = SolverCatalog.create("yoshida4");
-            for (int step = 0; step < 16 << k; step++) {
-                yoshida.stepState(found, 0.02 / (1 << k));
-            }
-            error[k] = error(exact.getOwnState(), found.getOwnState());
-        }
-        assertEquals(4, Math.log(error[0] / error[1]) / Math.log(2), 0.2);
+        assertEquals(4, Systems.order(() -> oneMuscle(0, 0.25, 0), "yoshida4", 0.32, 16), 0.2);
     }
 
     /** The amplitude rises from 0 with no jump of the force, of its rate, or of the rate of that. */

@@ -53,8 +53,8 @@ public final class SheetsCommand extends ResultsCommand {
     @Override
     public void run(PrintWriter out) throws Exception {
         Set<Integer> wanted = course.readAssignment().exercises().keySet();
-        Path key = course.getKey().orElseThrow(() -> wrong("key", "give the key file; it is created if it does not"
-                + " exist"));
+        Path key = course.getKey().orElseThrow(() -> wrong("key", "give the key file; it is created if it does"
+                + " not exist"));
         Map<String, String> secrets = Files.exists(key) ? CourseOptions.secrets(key)
                 : new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         List<List<Double>> taken = new ArrayList<>();

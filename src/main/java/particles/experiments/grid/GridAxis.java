@@ -91,8 +91,8 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
                     + " '" + values + "'");
         }
         if (log && !(by >= 2 && by == Math.rint(by))) {
-            throw new IllegalArgumentException("in '" + values + "', log has to be followed by the number of values,"
-                    + " 2 or more");
+            throw new IllegalArgumentException("in '" + values + "', log has to be followed by the number of"
+                    + " values, 2 or more");
         }
         double steps = log ? by - 1 : Math.floor((last - first) / by * (1 + ROUNDING));
         if (!(steps >= 0 && Double.isFinite(steps))) {
@@ -106,8 +106,8 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
                 : !log ? digits(first + k * by, EXACT) : k == steps ? digits(last, EXACT)
                 : digits(first * StrictMath.exp(ratio * k / steps), READABLE)).toList();
         if (new LinkedHashSet<>(list).size() < list.size()) {
-            throw new IllegalArgumentException("'" + values + "' has too many values: with the digits shown, some are"
-                    + " equal");
+            throw new IllegalArgumentException("'" + values + "' has too many values: with the digits shown,"
+                    + " some are equal");
         }
         return new GridAxis(key, list, log, "");
     }

@@ -60,8 +60,8 @@ public final class RenderFormat {
     static final Key<String> SPRING_COLOUR = COLOUR.optional("springColour",
             "The colour of all springs; by default it shows their strain.");
     static final Key<String> BACKGROUND = COLOUR.optional("background",
-            "The colour behind everything, in place of a sky; text on it is dark or light, as 'sky' says, or as suits"
-            + " it.");
+            "The colour behind everything, in place of a sky; text on it is dark or light, as 'sky' says, or as"
+            + " suits it.");
 
     static final Key<Double> VELOCITY_ARROWS = NumberType.notNegative("s").withDefault("velocityArrows", 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"

@@ -29,8 +29,8 @@ final class MeshShape {
     private static final Key<Double> SCALE = NumberType.positive("m").withDefault("scale", 1.0,
             "The length of the file's unit (m).");
     private static final Key<Double> TOTAL_MASS = NumberType.positive("kg").optional("totalMass",
-            "The mass of all particles together (kg), shared by area, or evenly if there are no faces; give this or"
-            + " mass.");
+            "The mass of all particles together (kg), shared by area, or evenly if there are no faces; give this"
+            + " or mass.");
     private static final Key<List<String>> FIXED = ListType.oneOrMore("a fixed part", TextType.of(
             "the name of a group of the file, or the id of a particle of the shape", "\\S"))
             .withDefault("fixed", List.of(), "Its fixed particles: groups, ids, or a list of both.");

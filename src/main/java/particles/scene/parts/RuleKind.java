@@ -45,8 +45,8 @@ public class RuleKind extends Kind {
             "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
 
     private static final Key<Boolean> IN_IMPACTS = FlagType.FLAG.withDefault("impacts", true,
-            "Whether Coulomb friction acts at impacts too; with false they keep the velocity along the surface, as on"
-            + " the slides.");
+            "Whether Coulomb friction acts at impacts too; with false they keep the velocity along the surface, as"
+            + " on the slides.");
 
     static final Key<Double> RESTITUTION = NumberType.between(0, 1, "").withDefault("restitution", 0.5,
             "r: a bounce turns the normal velocity v into -r v. With 0 nothing bounces; with 1 no energy is lost.");
