@@ -10,6 +10,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import particles.Motion;
@@ -29,9 +30,21 @@ public final class StopRequest implements Observer {
     private static final long CHILDREN_MILLIS = 500;
 
     private final CountDownLatch ended = new CountDownLatch(1);
+    /** Whether the process is ending: then a command may fall apart before the thread that says so has begun. */
+    private final BooleanSupplier ending;
+    private volatile boolean exits;
     private volatile boolean wanted;
     private volatile boolean endsByItself;
     private volatile Supplier<String> line = () -> "stopped";
+
+    /** For the process in which it is made. */
+    public StopRequest() {
+        this(StopHook::isStopping);
+    }
+
+    StopRequest(BooleanSupplier ending) {
+        this.ending = ending;
+    }
 
     /**
      * Begins to listen to signals, once a process.
@@ -59,7 +72,7 @@ public final class StopRequest implements Observer {
      * @return whether it was cut off
      */
     boolean stop(PrintWriter err) {
-        if (ended.getCount() == 0) {        // the command has ended by itself; there was no signal
+        if (exits) {                        // the command has ended by itself; there was no signal
             return false;
         }
         request();
@@ -126,9 +139,9 @@ public final class StopRequest implements Observer {
      * @param exit ends the process with a number, as {@link System#exit} does
      */
     public void end(ExitCode code, IntConsumer exit) {
-        boolean signalled = wanted;
+        exits = !wanted && !ending.getAsBoolean();
         ended.countDown();
-        if (!signalled) {
+        if (exits) {
             exit.accept(code.code());
         }
     }

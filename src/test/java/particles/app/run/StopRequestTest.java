@@ -48,6 +48,17 @@ class StopRequestTest {
         }
     }
 
+    /** A command that cannot write any more may end before the thread that prints the line has begun. */
+    @Test
+    void aCommandThatFallsApartBeforeTheLineIsToldAsStopped() {
+        StopRequest stop = new StopRequest(() -> true);
+        StringWriter lines = new StringWriter();
+        stop.end(ExitCode.STOPPED, exits::add);
+        assertTrue(stop.stop(new PrintWriter(lines)));
+        assertEquals("stopped", lines.toString().strip());
+        assertEquals(List.of(), exits);
+    }
+
     @Test
     void aCommandThatCameToItsEndIsNotToldAsStopped() {
         StringWriter lines = new StringWriter();
