@@ -29,8 +29,8 @@ public enum Phrase {
     FALL(Kind.METHOD, "with a constant acceleration, from rest, after step %s of deltaT = %s s a particle with a = %s"
             + " m/s^2 along %s has the velocity %s a deltaT, and exactly %s a deltaT; its position is %s a deltaT^2,"
             + " and exactly %s a deltaT^2"),
-    UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: numbers of"
-            + " unlike units are added up, such as an acceleration and a velocity"),
+    UNITS(Kind.METHOD, "entry %s of the new state, a %s, is off by %s if time is counted in half seconds: a number"
+            + " of seconds is in the class, or unlike units are added up, such as an acceleration and a velocity"),
     SEVEN_DIGITS(Kind.STATE, "digits get lost: this is %s, but its step is off by %s, as with float numbers;"
             + " all have to be double"),
     // the formula

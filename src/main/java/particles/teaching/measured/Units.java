@@ -8,7 +8,10 @@ import particles.teaching.Finding;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
-/** Whether a step is the same with another unit of time, as it is unless numbers of unlike units are added up. */
+/**
+ * Whether a step is the same with another unit of time, as it is unless the class holds a number of seconds or adds up
+ * numbers of unlike units.
+ */
 public final class Units {
     /** So short that an adaptive method takes it in one go, and that its tolerance does not matter. */
     private static final double H = 1.0 / 256;
