@@ -57,15 +57,14 @@ class ArchitectureTest {
                                            particles.teaching.exercises particles.view com.google.gson
                                            org.apache.commons picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
-                                           particles.app.student particles.experiments.energy
+                                           particles.app.run particles.app.student particles.experiments.energy
                                            particles.experiments.grid particles.experiments.lecture
-                                           particles.experiments.phase
-                                           particles.experiments.race particles.experiments.runs
-                                           particles.experiments.stability particles.experiments.work particles.law
-                                           particles.output.animation particles.output.charts particles.output.files
-                                           particles.output.frames particles.output.report particles.scene
-                                           particles.scene.format particles.spec particles.spec.messages particles.view
-                                           org.apache.commons picocli
+                                           particles.experiments.phase particles.experiments.race
+                                           particles.experiments.runs particles.experiments.stability
+                                           particles.experiments.work particles.law particles.output.animation
+                                           particles.output.charts particles.output.files particles.output.frames
+                                           particles.output.report particles.scene particles.scene.format particles.spec
+                                           particles.spec.messages particles.view org.apache.commons picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy particles.engine
                                            particles.experiments.phase particles.experiments.runs particles.lab
@@ -100,7 +99,7 @@ class ArchitectureTest {
             particles.experiments.race:    deSolvers.text particles particles.energy particles.experiments.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
-            particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
+            particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.scene
                                            particles.scene.format particles.view
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.implicit deSolvers.linear
                                            deSolvers.problems deSolvers.text particles particles.experiments.runs

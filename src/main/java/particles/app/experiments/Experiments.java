@@ -41,7 +41,7 @@ final class Experiments {
         List<String> first = List.of("euler", "midpoint", "rk4", "verlet", "implicit-midpoint");
         return (folder, progress) -> {
             Comparison comparison = EnergyDrift.compare(asked.scene(), asked.solvers(), progress);
-            String title = DriftCharts.title(comparison);
+            String title = asked.scene().title() + ": energy error";
             return asked.page(title, List.of("""
                     The energy error is the change of the total energy minus the work of drag, damping, wind, contacts \
                     and collisions: the solver's own error, divided by the largest kinetic plus stored energy of the \
@@ -119,14 +119,13 @@ final class Experiments {
 
     static Run effectCost(DeclaredCommand asked) {
         return (folder, progress) -> {
-            List<EffectCost.Cost> costs = EffectCost.measure(COLUMNS, STEPS, ROUNDS,
-                    () -> Math.round(1e9 * CpuClock.seconds()), progress);
+            List<EffectCost.Cost> costs = EffectCost.measure(COLUMNS, STEPS, ROUNDS, CpuClock::seconds, progress);
             Panel panel = EffectCost.panel(costs);
             return asked.page(panel.title(), List.of("A scene pays for what it names and for nothing else: this is a"
                     + " cloth of " + COLUMNS + " x " + COLUMNS + " particles, rk4, with one thing more"
                     + " at a time. Each time is from the fastest of " + ROUNDS + " rounds."),
-                    List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone, on a logarithmic"
-                            + " axis.", panel)), List.of(EffectCost.table(costs)));
+                    List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone: the "
+                            + EffectCost.BARS + " dearest.", panel)), List.of(EffectCost.table(costs)));
         };
     }
 

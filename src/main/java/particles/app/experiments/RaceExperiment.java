@@ -7,14 +7,13 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import particles.Observer;
 import particles.app.experiments.Experiment.Run;
+import particles.app.run.CameraFinder;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
-import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
-import particles.law.Vector3;
 import particles.output.animation.GifAnimation;
 import particles.output.animation.RaceFilm;
 import particles.output.charts.ChartPage;
@@ -53,7 +52,7 @@ final class RaceExperiment {
         }
         int frames = (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * duration)));
         return (folder, progress) -> {
-            try (RacePictures pictures = new RacePictures(solvers.size(), frames / duration)) {
+            try (RacePictures pictures = new RacePictures(scene, solvers.size(), frames / duration)) {
                 Result race = new Race(scene, solvers, frames).run(pictures, progress.part(0, 0.5));
                 ProgressListener drawing = progress.part(0.5, 1);
                 return page(asked, race, pictures.write(folder, race, part ->
@@ -66,7 +65,7 @@ final class RaceExperiment {
         return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
                 + " derivative as rk4 needs at the scene's step; if a solver needs more, all get as many. They agree to"
                 + " within one step or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that"
-                + " fails, or goes far from where it ever is, leaves the race."),
+                + " fails leaves the race."),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """
@@ -80,51 +79,27 @@ final class RaceExperiment {
                 List.of(RaceCharts.table(race)));
     }
 
-    /** Watches a race, and makes its film. Panels fill the page; a scene with a camera may have wider ones. */
+    /** Watches a race, and makes its film. Panels fill the page, or are as wide as the scene's frames. */
     private static final class RacePictures implements Race.ObserverFactory, AutoCloseable {
-        /**
-         * The margin around the reference's box, as a part of its largest extent; a solver that leaves the box is still
-         * visible for a while.
-         */
-        private static final double ROOM = 0.06;
-
-        private final int panels;
-        private final double rate;
-        private Optional<RaceFilm> film = Optional.empty();
-        private Optional<Camera> camera = Optional.empty();
+        private final Camera camera;
+        private final RaceFilm film;
 
         /**
+         * @param scene  the scene
          * @param panels the number of solvers
          * @param rate   the number of frames per second of simulated time (1/s)
          */
-        RacePictures(int panels, double rate) {
-            this.panels = panels;
-            this.rate = rate;
+        RacePictures(SceneDescription scene, int panels, double rate) {
+            camera = CameraFinder.find(scene);
+            Frames frames = scene.output().frames();
+            film = new RaceFilm(panels, Math.max(RaceFilm.aspect(panels), (double) frames.width() / frames.height()),
+                    rate, PLAYBACK);
         }
 
         @Override
-        public List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent) {
-            if (solver.isEmpty()) {
-                begin(scene.description(), extent);
-            }
-            FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
-                    scene.scenery(), "", "");
-            RaceFilm made = film.orElseThrow();
-            return List.of(made.watch(solver.map(SolverChoice::look), stage));
-        }
-
-        /** A scene's own camera shows what it does in pictures of the scene; otherwise one is placed here. */
-        private void begin(SceneDescription scene, Extent extent) {
-            double room = ROOM * (extent.longest() > 0 ? extent.longest() : 1); // where nothing moves, 1 m around it
-            Vector3 around = new Vector3(room, room, extent.high().z() > extent.low().z() ? room : 0);
-            Vector3 low = extent.low().minus(around);
-            Vector3 high = extent.high().plus(around);
-            Optional<Camera> own = scene.drawing().camera();
-            Frames frames = scene.output().frames();
-            double fills = RaceFilm.aspect(panels);
-            double aspect = own.isPresent() ? Math.max(fills, (double) frames.width() / frames.height()) : fills;
-            camera = Optional.of(own.orElseGet(() -> Camera.around(low, high, aspect)));
-            film = Optional.of(new RaceFilm(panels, aspect, rate, PLAYBACK));
+        public List<Observer> of(Scene scene, Optional<SolverChoice> solver) {
+            return List.of(film.watch(solver.map(SolverChoice::look), new FrameSetup(camera,
+                    scene.description().drawing().look(), scene.scenery(), "", "")));
         }
 
         /**
@@ -142,8 +117,8 @@ final class RaceExperiment {
             RaceFilm.Head head = new RaceFilm.Head(RaceCharts.title(race), "Beside each solver: its distance from the"
                     + " grey ghost, root mean square. The ghost is " + Race.REFERENCE + ".", words);
             Chart strip = new Chart(Axis.TIME, Axis.log("|energy error|", "%"), RaceCharts.energy(race).series());
-            film.orElseThrow().write(folder, head, strip, progress);
-            return film.get().sheet(head, strip);
+            film.write(folder, head, strip, progress);
+            return film.sheet(head, strip);
         }
 
         /** Two digits, as there is little room; the table has the others. */
@@ -154,7 +129,7 @@ final class RaceExperiment {
 
         @Override
         public void close() {
-            film.ifPresent(RaceFilm::close);
+            film.close();
         }
     }
 }

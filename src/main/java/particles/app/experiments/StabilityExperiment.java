@@ -8,6 +8,7 @@ import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.List;
 import particles.app.experiments.Experiment.Run;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.SceneStabilityCharts;
 import particles.experiments.stability.Spectrum;
@@ -46,9 +47,7 @@ final class StabilityExperiment {
 
     static Run plan(DeclaredCommand asked) {
         if (!asked.hasScene()) {
-            return limits(asked, asked.solvers().stream().map(solver -> solver.info().orElseThrow(() ->
-                    asked.wrong("solvers", "your own class is measured in a scene; add "
-                    + asked.getStyle().option("scene")))).toList());
+            return limits(asked);
         }
         Spectrum spectrum = SceneStability.spectrum(asked.scene());
         if (spectrum.decaying().isEmpty()) {
@@ -58,16 +57,18 @@ final class StabilityExperiment {
         return inScene(asked, spectrum);
     }
 
-    private static Run limits(DeclaredCommand asked, List<SolverInfo> solvers) {
+    private static Run limits(DeclaredCommand asked) {
         return (folder, progress) -> {
-            DataTable limits = StabilityLimit.table(solvers, progress.part(0, 0.5));
+            DataTable limits = StabilityLimit.table(asked.solvers(), progress.part(0, 0.5));
             return asked.page("Stability limits, measured", List.of("""
                     Every limit was measured on the solver's code, by bisection on the test equation y' = lambda y, or \
                     of symplectic solvers on a damped spring with these eigenvalues; beside it is the theory. A spring \
                     without damping lies on the imaginary axis, pure decay on the negative real axis. A step that a \
-                    solver refuses counts as unstable; of an adaptive solver one sub-step is measured."""),
-                    progress.part(0.5, 1).each(REGIONS.stream().map(region -> region.of(solvers)).filter(region ->
-                            !region.solvers().isEmpty()).toList(), Region::name, Region::draw), List.of(limits));
+                    solver refuses counts as unstable; one sub-step of an adaptive solver is measured, and a class of \
+                    your own on springs."""),
+                    progress.part(0.5, 1).each(REGIONS.stream().map(region -> region.of(asked.solvers()))
+                            .filter(region -> !region.solvers().isEmpty()).toList(), Region::name, Region::draw),
+                    List.of(limits));
         };
     }
 
@@ -106,7 +107,7 @@ final class StabilityExperiment {
     /** A picture of stability regions: its name and caption, and the solvers shown in a part of the plane. */
     private record Region(String name, String caption, List<String> solvers, Window window) {
         /** The same picture with some of its solvers. */
-        Region of(List<SolverInfo> some) {
+        Region of(List<SolverChoice> some) {
             return new Region(name, caption, solvers.stream().filter(solver -> some.stream().anyMatch(one ->
                     one.name().equals(solver))).toList(), window);
         }

@@ -7,7 +7,6 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.energy.EnergyLedger;
-import particles.experiments.runs.Extent;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;

@@ -65,11 +65,6 @@ public final class DriftCharts {
                 : (drift.kind() != Kind.SECULAR ? "\u00b1" : drift.end() < 0 ? "-" : "+") + size + " %";
     }
 
-    /** @return what is compared */
-    public static String title(Comparison comparison) {
-        return comparison.scene() + ": energy error";
-    }
-
     /**
      * @param comparison the measured drifts
      * @return a row for each solver; failures have a column only if there are any

@@ -94,11 +94,10 @@ public final class EnergyDrift {
     /**
      * The energy drift of all solvers compared.
      *
-     * @param scene  the scene's title
      * @param scale  the energy scale by which errors were divided (J)
      * @param drifts the result of each solver
      */
-    public record Comparison(String scene, double scale, List<Drift> drifts) {
+    public record Comparison(double scale, List<Drift> drifts) {
     }
 
     private EnergyDrift() {
@@ -114,7 +113,7 @@ public final class EnergyDrift {
         progress.reached(0, "the energy scale");
         double scale = scale(scene);
         // measured: the scale takes nearly half of the time
-        return new Comparison(scene.title(), scale, progress.part(0.45, 1).onAllCores(solvers, SolverChoice::label,
+        return new Comparison(scale, progress.part(0.45, 1).onAllCores(solvers, SolverChoice::label,
                 solver -> {
                     Setting setting = Setting.of(solver, scene.deltaT());
                     return measure(SceneRun.build(scene, setting), setting, scale, List.of());

@@ -54,7 +54,7 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
     }
 
     /** @return the amplification of a solver, of your own on springs */
-    static Amplification of(SolverChoice solver) {
+    public static Amplification of(SolverChoice solver) {
         return solver.info().map(Amplification::of).orElseGet(() -> ofOwn(() -> solver.create(Double.NaN)));
     }
 

@@ -120,42 +120,35 @@ public record StabilityLimit(double value, double growth) {
      * @param progress receives the progress
      * @return the table, a row for each solver
      */
-    public static DataTable table(List<SolverInfo> solvers, ProgressListener progress) {
+    public static DataTable table(List<SolverChoice> solvers, ProgressListener progress) {
         return new DataTable("limits", "The largest stable deltaT |lambda|; growth is given at deltaT |lambda| = 0.1",
                 Stream.of("solver", "real limit: theory", "measured", "imaginary limit: theory", "measured ",
                 "damped limit: stated", "measured  ", "measured on").map(DataTable::column).toList(),
-                progress.each(solvers, info -> "limits of " + info.name(), StabilityLimit::row));
+                progress.each(solvers, solver -> "limits of " + solver.label(), StabilityLimit::row));
     }
 
-    private static List<Object> row(SolverInfo info) {
-        boolean springs = info.secondOrder();
-        String real = real(info).text();
-        String what = springs ? "springs" : info.adaptive() ? "one sub-step" : "a step";
-        return List.of(info.name(), text(info.realLimit(), Double.NaN), springs ? "-" : real,
-                text(info.imaginaryLimit(), theoreticalGrowth(info)), imaginary(info).text(),
-                springs ? text(info.dampedLimit(), Double.NaN) : "-",
-                springs ? real : "-", what);
+    /** Of a class of your own, nothing is stated. */
+    private static List<Object> row(SolverChoice solver) {
+        Amplification amplification = Amplification.of(solver);
+        boolean springs = amplification.ofSprings();
+        String real = real(amplification).text();
+        return List.of(solver.label(), solver.info().map(info -> text(info.realLimit(), Double.NaN)).orElse("-"),
+                springs ? "-" : real, solver.info().map(info -> text(info.imaginaryLimit(), theoreticalGrowth(info)))
+                .orElse("-"), imaginary(amplification).text(), solver.info().filter(info -> springs).map(info ->
+                text(info.dampedLimit(), Double.NaN)).orElse("-"), springs ? real : "-",
+                springs ? "springs" : solver.adaptive() ? "one sub-step" : "a step");
     }
 
     /**
      * The real limit, or the damped limit of a symplectic method: at critical damping, both eigenvalues of a spring are
      * the same real number.
      */
-    static StabilityLimit real(SolverInfo info) {
-        Amplification amplification = Amplification.of(info);
+    static StabilityLimit real(Amplification amplification) {
         return measure(h -> amplification.at(-h, 0));
     }
 
-    static StabilityLimit imaginary(SolverInfo info) {
-        return imaginary(Amplification.of(info));
-    }
-
     /** @return the limit of an undamped vibration */
-    public static StabilityLimit imaginary(SolverChoice solver) {
-        return imaginary(Amplification.of(solver));
-    }
-
-    private static StabilityLimit imaginary(Amplification amplification) {
+    public static StabilityLimit imaginary(Amplification amplification) {
         return measure(h -> amplification.at(0, h));
     }
 

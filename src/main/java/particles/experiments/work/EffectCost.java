@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.LongSupplier;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
@@ -30,10 +30,8 @@ import particles.view.Series.Mark;
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
-    /** Times of the same step differ by less than this factor. */
-    private static final double SPREAD = 1.2;
     /** So many bars with their names fit well on a slide. */
-    private static final int MOST_BARS = 6;
+    public static final int BARS = 6;
 
     /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
     private static final String CLOTH = """
@@ -97,11 +95,11 @@ public final class EffectCost {
      * @param columns  the number of columns, and of rows, of particles in the cloth, 2 or more
      * @param steps    the number of steps in a round, 1 or more
      * @param rounds   the number of rounds, 1 or more
-     * @param nanoTime a clock (ns)
+     * @param clock    a clock (s)
      * @param progress receives the progress
      * @return the springs alone, and each addition
      */
-    public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
+    public static List<Cost> measure(int columns, int steps, int rounds, DoubleSupplier clock,
             ProgressListener progress) {
         List<Runnable> variants = ADDITIONS.stream().map(addition -> round(scene(columns, rounds * steps,
                 addition.yaml()), steps)).toList();
@@ -110,9 +108,9 @@ public final class EffectCost {
         for (int round = 0; round < rounds; round++) {
             for (int v = 0; v < fastest.length; v++) {
                 progress.reached((round + (double) v / fastest.length) / rounds, ADDITIONS.get(v).name());
-                long start = nanoTime.getAsLong();
+                double start = clock.getAsDouble();
                 variants.get(v).run();
-                fastest[v] = Math.min(fastest[v], (nanoTime.getAsLong() - start) / 1e9 / steps);
+                fastest[v] = Math.min(fastest[v], (clock.getAsDouble() - start) / steps);
             }
         }
         return IntStream.range(0, fastest.length).mapToObj(v -> new Cost(ADDITIONS.get(v).name(), fastest[v],
@@ -149,15 +147,11 @@ public final class EffectCost {
 
     /**
      * @param costs the measured costs
-     * @return a bar for each of the dearest, if it costs more than the spread of the measurements, in a row with its
-     *         name and value, the cheapest above; one bar for all others; 1 is springs alone
+     * @return a bar for each of the dearest, in a row with its name and value, the dearest below; 1 is springs alone
      */
     public static Panel panel(List<Cost> costs) {
-        List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
-        long dearer = costs.stream().filter(cost -> cost.overBase() > SPREAD).count();
-        int others = sorted.size() - (int) Math.min(MOST_BARS, dearer);
-        List<Cost> bars = new ArrayList<>(sorted.subList(others, sorted.size()));
-        bars.add(0, new Cost("the other " + others + ", at most", 0, sorted.get(others - 1).overBase()));
+        List<Cost> bars = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase))
+                .skip(Math.max(0, costs.size() - BARS)).toList();
         List<double[]> lines = new ArrayList<>();
         for (int row = 0; row < bars.size(); row++) {
             lines.addAll(List.of(new double[] {1, row}, new double[] {bars.get(row).overBase(), row},

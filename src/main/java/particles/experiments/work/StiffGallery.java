@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import particles.experiments.runs.FewestSteps;
 import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.SolverChoice;
+import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
 
 /**
@@ -75,7 +76,7 @@ public final class StiffGallery {
      * @return its costs
      */
     public static Sweep sweep(SolverChoice solver, int decades) {
-        double limit = solver.adaptive() ? Double.NaN : StabilityLimit.imaginary(solver).value();
+        double limit = solver.adaptive() ? Double.NaN : StabilityLimit.imaginary(Amplification.of(solver)).value();
         return new Sweep(solver, limit == 0, IntStream.rangeClosed(0, decades)
                 .mapToObj(d -> cost(solver, StrictMath.pow(10, d), limit)).toList());
     }

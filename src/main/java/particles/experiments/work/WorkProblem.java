@@ -156,15 +156,13 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
             system.addParticle("p" + i, 1, new Vector3(i % n, -(i / n), 0), fixed ? Vector3.ZERO : new Vector3(0.3,
                     0.1 * (i % n), 0.2), fixed);
         }
+        int[][] ways = {{1, 0}, {0, 1}, {1, 1}};
         for (int i = 0; i < n * n; i++) {
-            if (i % n < n - 1) {
-                springs.addSpring(i, i + 1, 20, 1, 0.1);
-            }
-            if (i + n < n * n) {
-                springs.addSpring(i, i + n, 20, 1, 0.1);
-            }
-            if (i % n < n - 1 && i + n < n * n) {
-                springs.addSpring(i, i + n + 1, 10, Math.sqrt(2), 0.1);
+            for (int[] way : ways) {
+                if (i % n + way[0] < n && i / n + way[1] < n) {
+                    int square = way[0] + way[1];
+                    springs.addSpring(i, i + way[0] + n * way[1], 20.0 / square, Math.sqrt(square), 0.1);
+                }
             }
         }
         system.addEffect(springs);

@@ -47,7 +47,7 @@ class DriftKindTest {
     }
 
     private static List<String> ends(Drift... drifts) {
-        Comparison comparison = new Comparison("Scene", SCALE, List.of(drifts));
+        Comparison comparison = new Comparison(SCALE, List.of(drifts));
         DataTable table = DriftCharts.table(comparison);
         List<String> columns = table.columns().stream().map(DataTable.Column::name).toList();
         for (int k = 0; k < drifts.length; k++) {
@@ -115,7 +115,7 @@ class DriftKindTest {
     /** The linear chart ends at 10 %, and has percent as the other one. */
     @Test
     void smallErrorsAreDrawnAsLongAsTheyAreSmall() {
-        Chart small = DriftCharts.small(new Comparison("Scene", SCALE, List.of(drift("midpoint",
+        Chart small = DriftCharts.small(new Comparison(SCALE, List.of(drift("midpoint",
                 t -> 1.4e-3 * t, 0))));
         double[] percent = small.series().get(0).y();
         assertEquals(10, percent[percent.length - 1], 0.03);

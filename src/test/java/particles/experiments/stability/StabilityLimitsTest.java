@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertStarts;
 
+import deSolvers.DEStateSource;
+import deSolvers.FixedStepSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.catalog.SolverInfo.Family;
@@ -12,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
 import particles.view.DataTable;
 
 /**
@@ -31,8 +34,9 @@ class StabilityLimitsTest {
     @Test
     void everyLimitThatTheCatalogueStatesIsMeasured() {
         for (SolverInfo info : SolverCatalog.all()) {
-            assertLimit(info.realLimit(), StabilityLimit.real(info), info.name() + ", real");
-            assertLimit(info.imaginaryLimit(), StabilityLimit.imaginary(info), info.name() + ", imaginary");
+            assertLimit(info.realLimit(), StabilityLimit.real(Amplification.of(info)), info.name() + ", real");
+            assertLimit(info.imaginaryLimit(), StabilityLimit.imaginary(Amplification.of(info)),
+                    info.name() + ", imaginary");
         }
     }
 
@@ -53,7 +57,7 @@ class StabilityLimitsTest {
     void limitsUnderDampingAreMeasured() {
         for (String name : List.of("symplectic-euler", "verlet", "yoshida4")) {
             SolverInfo info = SolverCatalog.info(name);
-            double measured = StabilityLimit.real(info).value();
+            double measured = StabilityLimit.real(Amplification.of(info)).value();
             assertEquals(info.dampedLimit(), measured, 5e-4, name);     // measured 3e-4, of verlet
             assertTrue(info.dampedLimit() <= measured, name);
         }
@@ -77,7 +81,7 @@ class StabilityLimitsTest {
     @ParameterizedTest
     @CsvSource({"euler, 4.987562e-3, 1e-9", "midpoint, 1.249992e-5, 1e-10", "adams, 1.6e-7, 2e-9"})
     void whatAlwaysGrowsSaysByHowMuch(String solver, double growth, double digits) {
-        StabilityLimit limit = StabilityLimit.imaginary(SolverCatalog.info(solver));
+        StabilityLimit limit = StabilityLimit.imaginary(Amplification.of(SolverCatalog.info(solver)));
         assertEquals(growth, limit.growth(), digits);
         assertStarts(limit.text(), "always grows: ");
     }
@@ -88,14 +92,34 @@ class StabilityLimitsTest {
     @Test
     void theGrowthOfBulirschStoerIsTinyAndNotNone() {
         SolverInfo info = SolverCatalog.info("bulirsch-stoer");
-        assertEquals(0, StabilityLimit.imaginary(info).value());
+        assertEquals(0, StabilityLimit.imaginary(Amplification.of(info)).value());
         Amplification amplification = Amplification.of(info);
         assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
     }
 
+    /** Heun's method, as a student writes it: R is that of the midpoint method. */
+    public static final class Heun extends FixedStepSolver {
+        @Override
+        protected void step(DEStateSource source, double[] s, double deltaT) {
+            double[] k1 = eulerStep(s, deltaT);
+            source.incTime(deltaT);
+            double[] k2 = eulerStep(plus(s, 1, k1), deltaT);
+            for (int i = 0; i < s.length; i++) {
+                s[i] += (k1[i] + k2[i]) / 2;
+            }
+        }
+    }
+
+    /** R = 1 - h + h^2/2 exceeds 1 beyond h = 2, and is over 1 by h^4/8 on the imaginary axis. */
+    @Test
+    void theTableHasAClassOfYourOwnOnSprings() {
+        assertEquals(List.of("StabilityLimitsTest$Heun", "-", "-", "-", "always grows: 1.25e-5 a step", "-", "2.0000",
+                "springs"), StabilityLimit.table(SolverChoice.list(Heun.class.getName()), NOBODY).rows().get(0));
+    }
+
     @Test
     void theTableHasEverySolverAndSaysUnbounded() {
-        DataTable table = StabilityLimit.table(SolverCatalog.all(), NOBODY);
+        DataTable table = StabilityLimit.table(SolverChoice.list("all"), NOBODY);
         assertEquals(SolverCatalog.names(), table.rows().stream().map(row -> row.get(0)).toList());
         List<Object> verlet = table.rows().get(SolverCatalog.names().indexOf("verlet"));
         assertEquals(List.of("-", "-"), verlet.subList(1, 3), "it is tried on springs, not on the real axis");

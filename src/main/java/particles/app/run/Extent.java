@@ -1,9 +1,8 @@
-package particles.experiments.runs;
+package particles.app.run;
 
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.StridedRecorder;
@@ -13,7 +12,7 @@ import particles.law.Vector3;
 /**
  * The box in which a run takes place: from the lowest to the highest coordinates that any particle had after any step.
  */
-public final class Extent extends StridedRecorder {
+final class Extent extends StridedRecorder {
     private final List<DoubleSummaryStatistics> axes = Stream.generate(DoubleSummaryStatistics::new).limit(3).toList();
 
     @Override
@@ -25,24 +24,13 @@ public final class Extent extends StridedRecorder {
         }
     }
 
-    /** @return its longest edge (m) */
-    public double longest() {
-        return axes.stream().mapToDouble(axis -> axis.getMax() - axis.getMin()).max().orElseThrow();
-    }
-
-    /** @return whether the particle with its state from x on is farther outside than a length (m) */
-    public boolean isBeyond(double length, double[] state, int x) {
-        return IntStream.range(0, 3).anyMatch(c -> state[x + c] < axes.get(c).getMin() - length
-                || state[x + c] > axes.get(c).getMax() + length);
-    }
-
     /** @return the corner with the lowest coordinates (m); infinite before a run */
-    public Vector3 low() {
+    Vector3 low() {
         return corner(DoubleSummaryStatistics::getMin);
     }
 
     /** @return the corner with the highest coordinates (m) */
-    public Vector3 high() {
+    Vector3 high() {
         return corner(DoubleSummaryStatistics::getMax);
     }
 
