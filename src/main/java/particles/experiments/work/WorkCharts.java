@@ -33,7 +33,7 @@ public final class WorkCharts {
     public static Panel byEvaluations(List<Curve> curves) {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
-            List<Point> fitted = curve.points().subList(curve.fit().first(), curve.fit().last() + 1);
+            List<Point> fitted = curve.fitted();
             series.add(Series.of(curve.look(), curve.label(), Mark.LINE_AND_OPEN_POINTS, curve.points(),
                     Point::evaluations, Point::error).ending(slope(curve)));
             series.add(Series.of(curve.look(), curve.label(), Mark.FITTED_POINTS, fitted, Point::evaluations,
@@ -100,24 +100,25 @@ public final class WorkCharts {
      */
     public static DataTable slopes(List<Curve> curves) {
         return DataTable.of("slopes",
-                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted", curves,
+                "Slopes beside theory, each over the three finest runs above round-off, if they are on a straight line",
+                curves,
                 column("problem", curve -> curve.problem().name()), column("solver", Curve::label),
                 column("slope", 3, curve -> curve.fit().slope()), column("theory", Curve::expected),
                 column("order", curve -> curve.solver().order()),
                 column("varied", curve -> curve.byStep() ? "deltaT (s)" : "tolerance"),
-                column("coarsest fitted", 3, curve -> varied(curve, curve.fit().first())),
-                column("finest fitted", 3, curve -> varied(curve, curve.fit().last())),
-                column("fitted", curve -> curve.fit().last() - curve.fit().first() + 1),
+                column("coarsest fitted", 3, curve -> varied(curve, 0)),
+                column("finest fitted", 3, curve -> varied(curve, curve.fit().runs().size() - 1)),
+                column("fitted", curve -> curve.fit().runs().size()),
                 column("runs", curve -> curve.points().size()),
                 column("unstable", curve -> curve.failures(Failure.UNSTABLE).count()),
                 column("not converged", curve -> curve.failures(Failure.NOT_CONVERGED).count()),
                 column("why no slope", curve -> curve.fit().whyNot()));
     }
 
-    /** What was varied from run to run, deltaT (s) or the tolerance; NaN where there is no fit. */
+    /** What was varied from run to run, deltaT (s) or the tolerance, in a run of the fit; NaN where there is none. */
     private static double varied(Curve curve, int run) {
-        return Double.isNaN(curve.fit().slope()) ? Double.NaN : curve.byStep() ? curve.points().get(run).deltaT()
-                : curve.points().get(run).tolerance();
+        return curve.fitted().isEmpty() ? Double.NaN : curve.byStep() ? curve.fitted().get(run).deltaT()
+                : curve.fitted().get(run).tolerance();
     }
 
     /**
@@ -133,7 +134,7 @@ public final class WorkCharts {
                 column("problem", row -> row.curve.problem().name()), column("solver", row -> row.curve.label()),
                 column("deltaT (s)", row -> row.point.deltaT()), column("tolerance", 2, row -> row.point.tolerance()),
                 column("evaluations", row -> row.point.evaluations()), column("error", 3, row -> row.point.error()),
-                column("fitted", row -> row.curve.fit().contains(row.k) ? "yes" : ""),
+                column("fitted", row -> row.curve.fit().runs().contains(row.k) ? "yes" : ""),
                 column("fastest round (s)", 2, row -> row.point.fastest()),
                 column("median (s)", 2, row -> row.point.median()),
                 column("no result", row -> row.point.failure().map(kind -> kind.words).orElse("")),
