@@ -8,6 +8,7 @@ export class Editor {
     this.changed = changed;
     this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2,
       screenReaderLabel: 'Scene file', extraKeys: {Tab: false, 'Shift-Tab': false}});
+    this.code.getScrollerElement().tabIndex = 0;         // for keys that scroll
     this.marks = [];
     this.code.on('change', (code, change) => {
       if (change.origin !== 'setValue') {

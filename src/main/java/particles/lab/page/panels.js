@@ -83,7 +83,7 @@ class Panel {
     this.caption = make('figcaption', {className: 'caption'});
     this.caption.style.borderColor = COLOURS[this.index];
     const picture = make('div', {className: 'view'});
-    picture.setAttribute('role', 'img');
+    Object.assign(picture, {role: 'img', ariaLabel: 'The scene of ' + this.name});
     this.figure.append(picture, this.caption);
     $('views').append(this.figure);
     this.view = makeView(picture);
