@@ -211,7 +211,8 @@ class LabPlayTest extends LabPageTestCase {
                     const rows = table.trim().split('\\n'), last = rows.at(-1).split(',').map(Number);
                     const right = {
                       picture: picture.width === document.querySelector('#view canvas').width,
-                      plots: Math.min(energy.width, phase.width) > 200,
+                      plots: [energy, phase].every(plot => plot.width === 1920 && plot.height > 600)
+                        && document.querySelector('#energy canvas').width < 900,
                       head: rows[0].startsWith('time (s),total (J),kinetic (J),'),
                       rows: rows.length === 2 + Number(document.getElementById('steps').textContent),
                       time: Math.abs(last[0] - 1.6) < 1e-12,

@@ -1,4 +1,5 @@
 // What the page shows is in its address, so that a link, a bookmark or the reload button brings it back.
+import {make} from './dom.js';
 import {pack, save, unpack} from './packing.js';
 
 export const MOST = 8000;               // characters; some mail programs and chats cut longer ones
@@ -46,15 +47,15 @@ export class Address {
     return fits ? url.href : null;
   }
 
+  /** A link that others cannot use, or none, comes with a file in its place. */
   async copy() {
-    const link = await this.write();
-    if (link === null) {
-      save('lab.json', new Blob([JSON.stringify(this.describe())], {type: 'application/json'}));
-      this.tell('This scene is too long for a link, so it was saved as lab.json: send that file. "Open", above the '
-          + 'scene\'s text, opens it.');
-      return;
-    }
-    this.tell(await copied(link) ? 'The link is in the clipboard.' : 'The link is in the address bar; copy it there.');
+    const link = await this.write(), isLocal = location.protocol === 'file:';
+    const done = link === null ? 'This scene is too long for a link.' : await copied(link)
+        ? 'The link is in the clipboard.' : 'The link is in the address bar; copy it there.';
+    const file = make('button', {type: 'button', textContent: 'Save lab.json', onclick: () => save('lab.json',
+        new Blob([JSON.stringify(this.describe())], {type: 'application/json'}))});
+    this.tell(done, ...(link !== null && !isLocal ? [] : [isLocal ? ' This page is a file, so links work on this '
+        + 'machine alone. ' : ' ', 'Send a file instead, which "Open" above the scene\'s text opens: ', file]));
   }
 }
 

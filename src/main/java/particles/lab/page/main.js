@@ -48,8 +48,8 @@ const film = new Film($('view'), note), rates = new Rates();
 const lecture = new Lecture({describe: beforeLecture, open: openState, ended: () => open(), resize: () => resize()});
 const address = new Address(describe, openState, note);
 
-function note(text) {
-  $('note').textContent = text;
+function note(...parts) {
+  $('note').replaceChildren(...parts);
 }
 
 // ---- opening scenes ----
@@ -392,7 +392,7 @@ $('open').onchange = async () => {
 
 /** Scene and solver, in the names of files. */
 const nameOfRun = () => $('scene').value.replace(/\.yaml$/, '') + '-' + facts.solver;
-offer(nameOfRun, film);
+offer(nameOfRun, film, energy, phasePlot);
 $('saveTable').onclick = () => worker.postMessage({type: 'table', energies: facts.energies});
 $('savePicture').disabled = $('film').disabled = !view.camera;          // without WebGL there is none
 

@@ -2,7 +2,7 @@
 import {$, few, ink} from './dom.js';
 import {save} from './packing.js';
 
-const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30;
+const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30, WIDTH = 1920, HEIGHT = 1080;
 
 /** The picture with its arrows and labels, on a canvas of its own or on one that is given. */
 function composed(element, canvas = document.createElement('canvas')) {
@@ -39,35 +39,46 @@ function composed(element, canvas = document.createElement('canvas')) {
   return canvas;
 }
 
-/** A plot on the page's ground, as its own canvas has none; with the names of its curves. */
-function plotImage(element) {
-  const plot = element.querySelector('canvas'), canvas = document.createElement('canvas'), scale = devicePixelRatio;
+/** Draws a plot once as wide as a picture; with a ground, as its own canvas has none, and the names of its curves. */
+function plotImage({plot, element}) {
+  const {hooks, ctx, width, height} = plot, drawn = ctx.canvas, scale = 2, k = scale / devicePixelRatio;
   const names = [...element.querySelectorAll('.u-series')].slice(1).filter(row => !row.hidden);   // the first is time
-  Object.assign(canvas, {width: plot.width, height: plot.height + 18 * scale * names.length});
-  const c = canvas.getContext('2d');
-  c.fillStyle = ink('--panel');
-  c.fillRect(0, 0, canvas.width, canvas.height);
-  c.drawImage(plot, 0, 0);
-  c.scale(scale, scale);
-  c.font = '12px system-ui, sans-serif';
-  names.forEach((row, i) => {
-    const y = plot.height / scale + 18 * i;
-    c.fillStyle = getComputedStyle(row.querySelector('.u-marker')).borderTopColor;
-    c.fillRect(12, y + 2, 10, 10);
-    c.fillStyle = ink('--ink');
-    c.fillText(row.querySelector('.u-label').textContent, 28, y + 11);
+  return new Promise(done => {
+    hooks.drawClear = [() => {
+      Object.assign(drawn, {width: k * drawn.width, height: k * drawn.height});
+      ctx.scale(k, k);
+    }];
+    hooks.draw = [() => {
+      hooks.drawClear = hooks.draw = [];
+      const canvas = document.createElement('canvas'), c = canvas.getContext('2d');
+      Object.assign(canvas, {width: WIDTH, height: drawn.height + 18 * scale * names.length});
+      c.fillStyle = ink('--panel');
+      c.fillRect(0, 0, canvas.width, canvas.height);
+      c.drawImage(drawn, 0, 0);
+      c.scale(scale, scale);
+      c.font = '12px system-ui, sans-serif';
+      names.forEach((row, i) => {
+        const y = drawn.height / scale + 18 * i;
+        c.fillStyle = getComputedStyle(row.querySelector('.u-marker')).borderTopColor;
+        c.fillRect(12, y + 2, 10, 10);
+        c.fillStyle = ink('--ink');
+        c.fillText(row.querySelector('.u-label').textContent, 28, y + 11);
+      });
+      done(canvas);
+      queueMicrotask(() => plot.setSize({width, height}));      // after this drawing
+    }];
+    plot.setSize({width: WIDTH / scale, height: HEIGHT / scale});
   });
-  return canvas;
 }
 
 const savePicture = (name, canvas) => canvas.toBlob(blob => save(name + '.png', blob));
 
 /** The buttons that save pictures. name(): the beginning of the files' names */
-export function offer(name, film) {
+export function offer(name, film, energy, phase) {
   $('savePicture').onclick = () => savePicture(name(), composed($('view')));
-  $('saveEnergy').onclick = () => savePicture(name() + '-energy', plotImage($('energy')));
-  $('savePhase').onclick = () => savePicture(name() + '-phase', plotImage($('phase')));
-  $('film').onclick = () => film.toggle(name());
+  $('saveEnergy').onclick = async () => savePicture(name() + '-energy', await plotImage(energy));
+  $('savePhase').onclick = async () => savePicture(name() + '-phase', await plotImage(phase));
+  $('film').onclick = () => film.toggle(name);
 }
 
 export class Film {
@@ -76,7 +87,7 @@ export class Film {
     Object.assign(this, {element, told});
   }
 
-  /** Starts to record or, if it does, ends and saves the film. */
+  /** Starts to record or, if it does, ends and saves the film under the name() of what it ends with. */
   toggle(name) {
     if (this.recorder) {
       this.recorder.stop();
@@ -97,7 +108,7 @@ export class Film {
       this.recorder = null;
       $('film').textContent = 'Film';
       this.told('');
-      save(name + (type.includes('mp4') ? '.mp4' : '.webm'), new Blob(parts, {type}));
+      save(name() + (type.includes('mp4') ? '.mp4' : '.webm'), new Blob(parts, {type}));
     };
     this.recorder.start();
     $('film').textContent = 'End the film';
