@@ -86,8 +86,8 @@ public final class DeclaredCommand extends ExperimentCommand {
         return problems.get();
     }
 
-    /** @return the results, under the name of the experiment */
-    ResultPage page(String title, List<String> text, List<Picture> pictures, List<DataTable> tables) {
-        return new ResultPage(name(), title, text, pictures, tables);
+    /** @return the results, under the name of the experiment and with what it teaches */
+    ResultPage page(String title, List<Picture> pictures, List<DataTable> tables) {
+        return new ResultPage(name(), title, List.of(experiment.teaches), pictures, tables);
     }
 }

@@ -42,16 +42,12 @@ final class Experiments {
         return (folder, progress) -> {
             Comparison comparison = EnergyDrift.compare(asked.scene(), asked.solvers(), progress);
             String title = asked.scene().title() + ": energy error";
-            return asked.page(title, List.of("""
-                    The energy error is the change of the total energy minus the work of drag, damping, wind, contacts \
-                    and collisions: the solver's own error, divided by the largest kinetic plus stored energy of the \
-                    run. Where nothing else changes the energy, it drifts or is bounded."""),
-                    List.of(Picture.of("energy-drift", "The size of the energy error over time. At the curves: an error"
-                            + " that drifts, at the end; the largest size of any other. A cross marks a run that ended"
-                            + " early.", Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts(), "stopped"))))
-                            .first(first),
-                            Picture.of("energy-drift-energy-error",
-                            "The energy error over time, while it is less than 10 %.",
+            return asked.page(title, List.of(
+                    Picture.of("energy-drift", """
+                            The size of the energy error over time. At the curves: an error that drifts, at the end; \
+                            the largest size of any other. A cross marks a run that ended early.""",
+                            Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts(), "stopped")))).first(first),
+                    Picture.of("energy-drift-energy-error", "The energy error over time, while it is less than 10 %.",
                             Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison)))).first(first)),
                     List.of(DriftCharts.table(comparison)));
         };
@@ -76,10 +72,7 @@ final class Experiments {
                         WorkCharts.byTime(curves)).first(first));
             }
             List<Cost> costs = CostExercise.solve();
-            return asked.page("The error of solvers against their cost", List.of("The lecture's exercise, "
-                    + CostExercise.answer(costs) + ".", """
-                    Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the \
-                    one before; the slope of a line is the order."""), pictures,
+            return asked.page("The error of solvers against their cost", pictures,
                     List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
         };
     }
@@ -103,11 +96,7 @@ final class Experiments {
         return (folder, progress) -> {
             List<Sweep> sweeps = progress.each(asked.solvers(), SolverChoice::label, solver ->
                     StiffGallery.sweep(solver, DECADES));
-            return asked.page(title, List.of("""
-                    Two masses swing together on soft springs while the spring between them gets stiffer: what one \
-                    wants to see stays the same, and only stability asks for shorter steps. The cost of an explicit \
-                    solver grows as the root of the stiffness; implicit ones pay with the energy of the stiff \
-                    vibration."""), List.of(Picture.of("stiff-gallery", """
+            return asked.page(title, List.of(Picture.of("stiff-gallery", """
                     Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable run, \
                     and what is left of the energy of the stiff vibration, at most in the last tenth of the run. At \
                     the curves: the exponent with which evaluations grow, from k = 1000 on. Crosses: solvers that are \
@@ -121,23 +110,18 @@ final class Experiments {
         return (folder, progress) -> {
             List<EffectCost.Cost> costs = EffectCost.measure(COLUMNS, STEPS, ROUNDS, CpuClock::seconds, progress);
             Panel panel = EffectCost.panel(costs);
-            return asked.page(panel.title(), List.of("A scene pays for what it names and for nothing else: this is a"
-                    + " cloth of " + COLUMNS + " x " + COLUMNS + " particles, rk4, with one thing more"
-                    + " at a time. Each time is from the fastest of " + ROUNDS + " rounds."),
-                    List.of(Picture.of("effect-cost", "Time of a step, relative to springs alone: the "
-                            + EffectCost.BARS + " dearest.", panel)), List.of(EffectCost.table(costs)));
+            return asked.page(panel.title(), List.of(Picture.of("effect-cost", "Time of a step of " + COLUMNS + " x "
+                    + COLUMNS + " particles, in the fastest of " + ROUNDS + " rounds, relative to springs alone: the "
+                    + EffectCost.BARS + " dearest.", panel)), List.of(EffectCost.table(costs)));
         };
     }
 
     static Run stiffCloth(DeclaredCommand asked) {
         return (folder, progress) -> {
             List<StiffCloth.Row> rows = StiffCloth.measure(StiffCloth.SWEEP, progress);
-            return asked.page("One frame of stiff cloth: rk4 against one implicit step", List.of("""
-                    The stiffer the springs, the more steps of rk4 a frame needs to be stable, as many as the root of \
-                    the stiffness; backward Euler takes one step whatever the stiffness, and pays with numerical \
-                    damping."""), List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians"
-                    + " of three steps of linearised-euler.", StiffCloth.panel(rows))),
-                    List.of(StiffCloth.table(rows)));
+            return asked.page("One frame of stiff cloth: rk4 against one implicit step", List.of(Picture.of(
+                    "stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of three steps of"
+                    + " linearised-euler.", StiffCloth.panel(rows))), List.of(StiffCloth.table(rows)));
         };
     }
 }

@@ -62,11 +62,8 @@ final class RaceExperiment {
     }
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
-        return asked.page(RaceCharts.title(race), List.of("Equal work: every solver gets as many evaluations of the"
-                + " derivative as rk4 needs at the scene's step; if a solver needs more, all get as many. They agree to"
-                + " within one step or 1 %. The grey ghost is the reference, " + Race.REFERENCE + "; a solver that"
-                + " fails leaves the race."),
-                List.of(Picture.made(GifAnimation.FILE, "The race."),
+        return asked.page(RaceCharts.title(race), List.of(Picture.made(GifAnimation.FILE,
+                "The race. The grey ghost is the reference; a solver that fails leaves the race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """
                                 Distance of each solver from the reference, root mean square over the particles, \

@@ -49,7 +49,7 @@ public final class ReportCommand extends ResultsCommand {
     @Option(names = "--solvers", paramLabel = "NAMES", description =
             "The solvers of experiments that look at a scene, separated by commas, or all (default: with a scene "
             + Experiment.FIVE + ").")
-    private String solvers;
+    private Optional<String> solvers = Optional.empty();
 
     @Option(names = "--experiments", paramLabel = "NAMES",
             description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}; with a scene, those"
@@ -71,7 +71,7 @@ public final class ReportCommand extends ResultsCommand {
     @Override
     protected void read(Mistakes mistakes) {
         scene.read(mistakes, this, "");         // a wrong scene is reported here, before the experiments run
-        mistakes.check(() -> solverChoices(solvers()));
+        mistakes.check(() -> solverChoices(solvers.orElse(Experiment.FIVE)));
         chosen = mistakes.value(this::readNames);
         super.read(mistakes);
     }
@@ -98,11 +98,6 @@ public final class ReportCommand extends ResultsCommand {
 
     private static double seconds(long begin) {
         return NANO * (System.nanoTime() - begin);
-    }
-
-    /** All solvers would take long on large scenes. */
-    private String solvers() {
-        return solvers != null ? solvers : Experiment.FIVE;
     }
 
     private List<ExperimentCommand> readNames() {
@@ -156,8 +151,8 @@ public final class ReportCommand extends ResultsCommand {
             if (scene.hasScene()) {
                 options.addAll(List.of(SCENE_OPTION + "=" + scene.getTypedScene(), "--set=" + scene.getTypedSet()));
             }
-            if (scene.hasScene() || solvers != null) {
-                options.add("--solvers=" + solvers());
+            if (scene.hasScene() || solvers.isPresent()) {      // all would take long on large scenes
+                options.add("--solvers=" + solvers.orElse(Experiment.FIVE));
             }
         }
         return options.toArray(String[]::new);

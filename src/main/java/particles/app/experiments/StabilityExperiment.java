@@ -60,12 +60,7 @@ final class StabilityExperiment {
     private static Run limits(DeclaredCommand asked) {
         return (folder, progress) -> {
             DataTable limits = StabilityLimit.table(asked.solvers(), progress.part(0, 0.5));
-            return asked.page("Stability limits, measured", List.of("""
-                    Every limit was measured on the solver's code, by bisection on the test equation y' = lambda y, or \
-                    of symplectic solvers on a damped spring with these eigenvalues; beside it is the theory. A spring \
-                    without damping lies on the imaginary axis, pure decay on the negative real axis. A step that a \
-                    solver refuses counts as unstable; one sub-step of an adaptive solver is measured, and a class of \
-                    your own on springs."""),
+            return asked.page("Stability limits, measured",
                     progress.part(0.5, 1).each(REGIONS.stream().map(region -> region.of(asked.solvers()))
                             .filter(region -> !region.solvers().isEmpty()).toList(), Region::name, Region::draw),
                     List.of(limits));
@@ -78,20 +73,13 @@ final class StabilityExperiment {
         List<SolverInfo> known = asked.solvers().stream().flatMap(one -> one.info().stream()).toList();
         List<SolverInfo> outlined = (known.isEmpty() ? SolverCatalog.all() : known).stream().sorted(
                 Comparator.comparing(one -> !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
-        String grows = spectrum.growth() == 0 ? "" : Digits.format(" Some motion grows by itself, by %.3g /s: that is"
-                + " physics, not an error of the solver.", spectrum.growth());
         return (folder, progress) -> asked.page(scene.title() + ": longest stable step, fastest mode |lambda| = "
-                + Digits.few(spectrum.decaying().get(0).size()) + " /s", List.of(Digits.format("""
-                The scene's equations, linearised at its start, have modes with eigenvalues up to |lambda| = %.8g /s \
-                (%d products with the Jacobian, relative error below %.0e). The longest stable step, of an adaptive \
-                solver the longest sub-step, is the one at which the solver's own factor of some mode exceeds 1, \
-                whether or not the scene excites it.%s""", spectrum.decaying().get(0).size(), spectrum.products(),
-                Math.max(1e-15, spectrum.error()), grows)),
+                + Digits.few(spectrum.decaying().get(0).size()) + " /s",
                 List.of(Picture.of("eigenvalues", """
-                        Each point is the step times an eigenvalue. A step is safe where all points to the left of the \
-                        imaginary axis, or on it, lie where the solver is stable: inside the outline of an explicit \
-                        one, and outside or left of that of an implicit one. An outline that is too small to be seen \
-                        here is left out.""",
+                        Each point is the step times an eigenvalue of the equations, linearised at the start. A step \
+                        is safe where all points to the left of the imaginary axis, or on it, lie where the solver is \
+                        stable: inside the outline of an explicit one, and outside or left of an implicit one's. An \
+                        outline that is too small to be seen here is left out.""",
                         SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined))),
                 List.of(SceneStability.table(SceneStability.limits(scene, spectrum, asked.solvers(), progress),
                         scene.deltaT()), modes(spectrum)));

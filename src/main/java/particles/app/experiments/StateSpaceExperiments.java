@@ -49,11 +49,7 @@ final class StateSpaceExperiments {
             String title = "The slides' figures: x'' = \u2212x in state space";
             pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                     title, panels));
-            return asked.page(title, List.of("""
-                    The oscillator x'' = -x from (1, 0): the exact solution is the dashed circle, clockwise in \
-                    2 pi s. N steps of h multiply the amplitude by |R(ih)|^N and run ahead of the exact phase by \
-                    N (arg R - h), where R is the method's stability function."""),
-                    pictures, List.of(LectureFigures.table(results)));
+            return asked.page(title, pictures, List.of(LectureFigures.table(results)));
         };
     }
 
@@ -80,11 +76,7 @@ final class StateSpaceExperiments {
             String caption = (plot.flatMap(Phase::about).isPresent() ? "Angular velocity over angle."
                     : "Velocity over position.") + " The pale band is the reference, dormand-prince with a tolerance of"
                     + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
-            return asked.page(title, List.of("""
-                    A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral \
-                    outwards gains it, a spiral inwards loses it, and a path that ends away from the hollow mark, but \
-                    on the curve, has a wrong phase only. Distances off the curve are in halves of its width and \
-                    height."""), List.of(charts.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
+            return asked.page(title, List.of(charts.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
                     : Picture.panels("phase-plots", caption, title, panels)), List.of(portraits.table()));
         };
     }

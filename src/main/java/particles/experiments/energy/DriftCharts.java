@@ -6,6 +6,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
@@ -34,9 +35,8 @@ public final class DriftCharts {
     public static Chart sizes(List<Drift> drifts, String stopped) {
         List<Series> series = new ArrayList<>();
         for (Drift drift : drifts) {
-            series.add(new Series(drift.look(), drift.label(), Mark.LINE, drift.time(), Arrays.stream(drift.error())
-                    .map(e -> PERCENT * Math.abs(e)).map(e -> e < SMALLEST ? Double.NaN : e).toArray())
-                    .ending(end(drift)));
+            series.add(line(drift, Arrays.stream(drift.error()).map(e -> PERCENT * Math.abs(e)).map(e ->
+                    e < SMALLEST ? Double.NaN : e)));
             if (drift.kind() == Kind.FAILED) {
                 series.add(Series.point(drift.look(), stopped, Mark.FAILURES,
                         drift.time()[drift.time().length - 1], Math.max(SMALLEST, PERCENT * Math.abs(drift.end()))));
@@ -50,12 +50,15 @@ public final class DriftCharts {
      * @return the errors with their signs on a linear axis, each while it is small
      */
     public static Chart small(Comparison comparison) {
-        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), comparison.drifts().stream().map(drift -> {
-            double[] error = Arrays.stream(drift.error()).map(e -> PERCENT * e)
-                    .takeWhile(e -> Math.abs(e) <= LINEAR).toArray();
-            return new Series(drift.look(), drift.label(), Mark.LINE, Arrays.copyOf(drift.time(), error.length), error)
-                    .ending(end(drift));
-        }).toList());
+        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), comparison.drifts().stream().map(drift ->
+                line(drift, Arrays.stream(drift.error()).map(e -> PERCENT * e).takeWhile(e -> Math.abs(e) <= LINEAR)))
+                .toList());
+    }
+
+    private static Series line(Drift drift, DoubleStream percent) {
+        double[] error = percent.toArray();
+        return new Series(drift.look(), drift.label(), Mark.LINE, Arrays.copyOf(drift.time(), error.length), error)
+                .ending(end(drift));
     }
 
     /** The error at the end, or the size of one that goes up and down; of a run that ended early, the time. */

@@ -4,7 +4,6 @@ import static particles.view.DataTable.column;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
-import deSolvers.text.Digits;
 import java.util.List;
 import particles.experiments.runs.FewestSteps;
 import particles.view.DataTable;
@@ -43,18 +42,6 @@ public final class CostExercise {
         double[] state = oscillator.getState();
         double[] exact = oscillator.exactState(DURATION);
         return Math.hypot(state[0] - exact[0], state[1] - exact[1]);
-    }
-
-    /**
-     * @param costs the result of {@link #solve}
-     * @return the ratio of the evaluations for the roughest and for the finest error, in a line
-     */
-    public static String answer(List<Cost> costs) {
-        Cost rough = costs.get(0);
-        Cost fine = costs.get(costs.size() - 1);
-        return Digits.format("evaluations, midpoint / rk4: %.2g for an error of %s, %.2g for %s",
-                (double) rough.midpoint() / rough.rk4(), Digits.few(rough.error()),
-                (double) fine.midpoint() / fine.rk4(), Digits.few(fine.error()));
     }
 
     /**

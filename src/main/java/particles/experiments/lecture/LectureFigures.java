@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
 import particles.view.Axis;
 import particles.view.Chart;
@@ -103,9 +102,9 @@ public final class LectureFigures {
         int n = result.figure().steps();
         Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
         double[] end = new Oscillator().exactState(n * result.figure().deltaT());
-        SolverChoice solver = SolverChoice.of(result.figure().solver());
         return new Chart(POSITION, VELOCITY, List.of(
-                new Series(solver.look(), solver.label(), mark, result.x(), result.v()), exact(), START,
+                new Series(Look.of(SolverCatalog.info(result.figure().solver())), result.figure().solver(), mark,
+                        result.x(), result.v()), exact(), START,
                 Series.point(Look.MARK, "end", Mark.POINTS, result.x()[n], result.v()[n]),
                 Series.point(Look.MARK, "exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }

@@ -40,11 +40,6 @@ public final class PhaseHistory extends StridedRecorder {
     private long every = 1;
     private long states;
 
-    /** @param id the id of the particle */
-    public PhaseHistory(String id) {
-        this(id, Optional.empty());
-    }
-
     /**
      * @param id    the id of the particle
      * @param about the particle about which its angle is measured, if there is one

@@ -83,12 +83,10 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      * @param scene     the scene's title
      * @param work      the evaluations that each solver was to cost
      * @param times     the times of the frames (s)
-     * @param scale     the energy scale by which errors are divided (J)
      * @param reference its states at the frames' times
      * @param lanes     the run of each solver
      */
-    public record Result(String scene, long work, double[] times, double scale, List<double[]> reference,
-                         List<Lane> lanes) {
+    public record Result(String scene, long work, double[] times, List<double[]> reference, List<Lane> lanes) {
     }
 
     /**
@@ -120,7 +118,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
                 lane(match.setting(), rate, scale, reference.states, factory)).toList();
         List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
-        return new Result(scene.title(), shares.work(), times, scale, reference.states, lanes);
+        return new Result(scene.title(), shares.work(), times, reference.states, lanes);
     }
 
     /**

@@ -39,13 +39,13 @@ public final class RaceCharts {
     public static Chart distance(Result race) {
         List<Series> series = new ArrayList<>();
         for (Lane lane : race.lanes()) {
-            List<double[]> known = IntStream.range(1, lane.distance().length)
-                    .filter(k -> lane.distance()[k] >= SMALLEST)
-                    .mapToObj(k -> new double[] {race.times()[k], lane.distance()[k]}).toList();
-            series.add(Series.of(lane.look(), lane.label(), Mark.LINE, known).ending(mean(lane)));
+            List<Integer> known = IntStream.range(1, lane.distance().length)
+                    .filter(k -> lane.distance()[k] >= SMALLEST).boxed().toList();
+            series.add(Series.of(lane.look(), lane.label(), Mark.LINE, known, k -> race.times()[k],
+                    k -> lane.distance()[k]).ending(mean(lane)));
             if (lane.left().isPresent() && !known.isEmpty()) {
-                series.add(Series.of(lane.look(), LEFT, Mark.FAILURES,
-                        known.subList(known.size() - 1, known.size())));
+                int last = known.get(known.size() - 1);
+                series.add(Series.point(lane.look(), LEFT, Mark.FAILURES, race.times()[last], lane.distance()[last]));
             }
         }
         return new Chart(Axis.TIME, Axis.log("distance from the reference", "m"), series);

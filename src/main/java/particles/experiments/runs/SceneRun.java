@@ -64,22 +64,12 @@ public final class SceneRun {
         return SceneBuilder.build(SceneReader.read(name, yaml.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** @return the scene with this setting, for its own duration */
+    /** @return the scene with this setting, ready to run */
     public static Scene build(SceneDescription scene, Setting setting) {
-        return build(scene, setting, scene.duration());
-    }
-
-    /**
-     * @param scene     the scene to run
-     * @param setting   the solver and its step
-     * @param duration  the duration of the run (s)
-     * @return the scene, ready to run
-     */
-    public static Scene build(SceneDescription scene, Setting setting, double duration) {
         Optional<Tolerances> tolerances = setting.solver().adaptive()
                 ? setting.tolerance().map(Tolerances::both) : Optional.empty();
         return SceneBuilder.build(scene.withSolver(new SolverDescription(setting.solver().name(), tolerances))
-                .withDeltaT(setting.deltaT()).withDuration(duration));
+                .withDeltaT(setting.deltaT()));
     }
 
     /** @return the outcome of a run to its end, to a failure, or to some minutes' work */

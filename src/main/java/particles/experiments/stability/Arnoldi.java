@@ -117,7 +117,7 @@ final class Arnoldi {
             error = lambda.norm() == largest ? residual / largest : error;
         }
         modes.sort(Comparator.comparingDouble(Mode::size).reversed());
-        return new Spectrum(modes, m, error);
+        return new Spectrum(modes, error);
     }
 
     private Mode mode(Complex lambda, double[] weights) {

@@ -71,11 +71,11 @@ public final class SceneStability {
     public static Spectrum spectrum(SceneDescription scene) {
         Spectrum all = Spectrum.of(atStart(scene));
         return new Spectrum(all.modes().stream().filter(mode -> mode.size() * scene.duration() > SLOWEST).toList(),
-                all.products(), all.error());
+                all.error());
     }
 
     private static ParticleSystem atStart(SceneDescription scene) {
-        return SceneRun.build(scene, Setting.of(SolverChoice.RK4, scene.deltaT()), scene.deltaT()).system();
+        return SceneRun.build(scene, Setting.of(SolverChoice.RK4, scene.deltaT())).system();
     }
 
     /** A mode by the particle that moves most in it. */

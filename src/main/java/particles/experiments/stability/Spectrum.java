@@ -8,30 +8,21 @@ import particles.ParticleSystem;
  * first.
  *
  * @param modes    the modes by falling |lambda|, without those whose lambda is 0
- * @param products the number of multiplications with the Jacobian
  * @param error    a bound for the relative error of the largest |lambda|
  */
-public record Spectrum(List<Mode> modes, int products, double error) {
+public record Spectrum(List<Mode> modes, double error) {
     /**
      * @param system the system in the state in question; not changed
      * @return its spectrum; without modes if nothing can move or no force acts
      */
     public static Spectrum of(ParticleSystem system) {
         Linearisation linear = new Linearisation(system);
-        return linear.coordinates() == 0 ? new Spectrum(List.of(), 0, 0) : Arnoldi.spectrum(linear);
+        return linear.coordinates() == 0 ? new Spectrum(List.of(), 0) : Arnoldi.spectrum(linear);
     }
 
     /** @return the modes that do not grow by themselves, the fastest first */
     public List<Mode> decaying() {
         return modes.stream().filter(mode -> mode.re() <= 0).toList();
-    }
-
-    /**
-     * @return the fastest growth of the motion itself (1/s), which is physics and not an error of the solver; 0 if
-     *         nothing grows
-     */
-    public double growth() {
-        return modes.stream().mapToDouble(Mode::re).filter(re -> re > 0).max().orElse(0);
     }
 
     /**

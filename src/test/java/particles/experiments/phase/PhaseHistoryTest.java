@@ -41,7 +41,7 @@ class PhaseHistoryTest {
     }
 
     private static PhaseHistory observe(Simulation simulation) {
-        PhaseHistory phase = new PhaseHistory("bob");
+        PhaseHistory phase = new PhaseHistory("bob", Optional.empty());
         simulation.addObserver(phase);
         simulation.run();
         return phase;
@@ -154,7 +154,7 @@ class PhaseHistoryTest {
 
     @Test
     void aParticleThatIsNotThereHasNoPath() {
-        PhaseHistory phase = new PhaseHistory("bop");
+        PhaseHistory phase = new PhaseHistory("bop", Optional.empty());
         Simulation simulation = oscillator(0.25, 1);
         simulation.addObserver(phase);
         simulation.run();

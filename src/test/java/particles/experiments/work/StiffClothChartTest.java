@@ -31,7 +31,6 @@ class StiffClothChartTest {
     void bothSolversAreDrawnOverTheStepsOfRk4() {
         List<Row> rows = rows("1 0.001 0.03; 5000 5 0.1");
         Panel panel = StiffCloth.panel(rows);
-        assertEquals("time of rk4 / linearised-euler, at 1 to 5000 steps: 0.033 to 50", panel.answer());
         Chart chart = panel.charts().get(0);
         assertEquals(List.of("rk4", "linearised-euler"), chart.series().stream().map(Series::name).toList());
         assertArrayEquals(new double[] {1, 5000}, chart.series().get(1).x());
