@@ -92,7 +92,7 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.experiments.stability particles.law
                                            particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view
-            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
+            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems
                                            particles.experiments.runs particles.experiments.stability particles.view
             particles.experiments.phase:   deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene.format particles.view

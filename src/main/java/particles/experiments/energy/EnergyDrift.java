@@ -29,10 +29,6 @@ public final class EnergyDrift {
      * The error drifts if its best straight line rises by more than this many times the scatter about it.
      */
     private static final double SECULAR = 2;
-    /** An error that grows in proportion to time is twice as large in a run's second half as in its first. */
-    private static final double GROWS = 1.4;
-    /** When a motion has decayed, its error no longer grows and ends at its largest value. */
-    private static final double STILL = 0.98;
     /** Enough for the size of the energy to six digits; a tighter one takes most of the time on a stiff cloth. */
     private static final double REFERENCE_TOLERANCE = 1e-6;
 
@@ -141,19 +137,12 @@ public final class EnergyDrift {
         double[] t = Arrays.copyOf(time, finite);
         double[] error = Arrays.stream(joules).limit(finite).map(value -> value / scale).toArray();
         FittedLine line = FittedLine.of(t, error);
-        double[] largest = new double[2];               // in the first half of the run and in the second
-        for (int k = 0; k < finite; k++) {
-            int half = t[k] < outcome.endTime() / 2 ? 0 : 1;
-            largest[half] = Math.max(largest[half], Math.abs(error[k]));
-        }
-        double all = Math.max(largest[0], largest[1]);
-        double end = error[finite - 1];
-        boolean straight = Math.abs(line.slope()) * outcome.endTime() > SECULAR * line.scatter();
-        boolean goesOn = largest[1] > GROWS * largest[0] || Math.abs(end) > STILL * all;
+        double largest = Arrays.stream(error).map(Math::abs).max().orElse(0);
+        boolean drifts = Math.abs(line.slope()) * outcome.endTime() > SECULAR * line.scatter();
         double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps());
-        Kind kind = !outcome.whole() ? Kind.FAILED : all < rounding ? Kind.ROUNDING
-                : exchanged > rounding * scale ? Kind.EXCHANGING : straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
-        return new Drift(setting, t, error, end, all, line.slope(), kind, outcome);
+        Kind kind = !outcome.whole() ? Kind.FAILED : largest < rounding ? Kind.ROUNDING
+                : exchanged > rounding * scale ? Kind.EXCHANGING : drifts ? Kind.SECULAR : Kind.BOUNDED;
+        return new Drift(setting, t, error, error[finite - 1], largest, line.slope(), kind, outcome);
     }
 
     /** The largest kinetic plus stored energy of a very accurate run, as far as it came. */
