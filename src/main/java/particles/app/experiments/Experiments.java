@@ -112,7 +112,7 @@ final class Experiments {
             Panel panel = EffectCost.panel(costs);
             return asked.page(panel.title(), List.of(Picture.of("effect-cost", "Time of a step of " + COLUMNS + " x "
                     + COLUMNS + " particles, in the fastest of " + ROUNDS + " rounds, relative to springs alone: the "
-                    + EffectCost.BARS + " dearest.", panel)), List.of(EffectCost.table(costs)));
+                    + EffectCost.ROWS + " dearest.", panel)), List.of(EffectCost.table(costs)));
         };
     }
 

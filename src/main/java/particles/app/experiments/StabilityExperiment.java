@@ -3,7 +3,6 @@ package particles.app.experiments;
 import static particles.view.DataTable.column;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.List;
@@ -70,9 +69,8 @@ final class StabilityExperiment {
     /** The longest stable step of each solver in a scene with at least one mode that does not grow by itself. */
     private static Run inScene(DeclaredCommand asked, Spectrum spectrum) {
         SceneDescription scene = asked.scene();
-        List<SolverInfo> known = asked.solvers().stream().flatMap(one -> one.info().stream()).toList();
-        List<SolverInfo> outlined = (known.isEmpty() ? SolverCatalog.all() : known).stream().sorted(
-                Comparator.comparing(one -> !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
+        List<SolverChoice> outlined = asked.solvers().stream().sorted(Comparator.comparing(one ->
+                one.info().isPresent() && !OUTLINES.contains(one.name()))).limit(OUTLINES.size()).toList();
         return (folder, progress) -> asked.page(scene.title() + ": longest stable step, fastest mode |lambda| = "
                 + Digits.few(spectrum.decaying().get(0).size()) + " /s",
                 List.of(Picture.of("eigenvalues", """

@@ -1,11 +1,11 @@
 package particles.experiments.stability;
 
-import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.Chart;
 import particles.view.Look;
@@ -32,7 +32,7 @@ public final class SceneStabilityCharts {
      * @return the step times each eigenvalue, with the outlines of the regions that are large enough to be seen; where
      *         the scene's step is far too long for all solvers, it is drawn at the longest that is stable with one
      */
-    public static Panel plane(String scene, Spectrum spectrum, double deltaT, List<SolverInfo> solvers) {
+    public static Panel plane(String scene, Spectrum spectrum, double deltaT, List<SolverChoice> solvers) {
         double longest = solvers.stream().mapToDouble(solver -> new SpectrumLimit(Amplification.of(solver), spectrum)
                 .deltaT()).max().orElse(0);
         double step = longest > 0 && deltaT > FAR_TOO_LONG * longest ? longest : deltaT;

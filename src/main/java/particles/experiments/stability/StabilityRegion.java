@@ -4,6 +4,7 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import particles.experiments.runs.SolverChoice;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.Look;
@@ -32,18 +33,14 @@ public final class StabilityRegion {
     }
 
     /** @return a line for each solver, broken where the outline is in pieces, and the imaginary axis */
-    static Chart outlines(List<SolverInfo> solvers, Window window) {
-        return chart(solvers.stream().map(solver -> map(solver, window).outline(Look.of(solver), solver.name()))
-                .toList(), window);
-    }
-
-    private static StabilityMap map(SolverInfo solver, Window window) {
-        return new StabilityMap(Amplification.of(solver)::at, window);
+    static Chart outlines(List<SolverChoice> solvers, Window window) {
+        return chart(solvers.stream().map(solver -> new StabilityMap(Amplification.of(solver)::at, window)
+                .outline(solver.look(), solver.label())).toList(), window);
     }
 
     /** @return the region of a solver, filled, with its stated limits below its name */
     public static Panel filled(SolverInfo solver, Window window) {
-        StabilityMap map = map(solver, window);
+        StabilityMap map = new StabilityMap(Amplification.of(solver)::at, window);
         Look look = Look.of(solver);
         return Panel.map(solver.name(), chart(List.of(map.filled(look), map.outline(look, solver.name())), window))
                 .named(solver.name()).answered(limits(solver));

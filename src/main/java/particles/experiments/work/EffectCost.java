@@ -3,7 +3,6 @@ package particles.experiments.work;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -30,8 +29,8 @@ import particles.view.Series.Mark;
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
-    /** So many bars with their names fit well on a slide. */
-    public static final int BARS = 6;
+    /** The number of rows of the chart. */
+    public static final int ROWS = 8;
 
     /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
     private static final String CLOTH = """
@@ -147,19 +146,14 @@ public final class EffectCost {
 
     /**
      * @param costs the measured costs
-     * @return a bar for each of the dearest, in a row with its name and value, the dearest below; 1 is springs alone
+     * @return a point for each of the dearest, in a row with its name and value, the dearest below; 1 is springs alone
      */
     public static Panel panel(List<Cost> costs) {
-        List<Cost> bars = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase))
-                .skip(Math.max(0, costs.size() - BARS)).toList();
-        List<double[]> lines = new ArrayList<>();
-        for (int row = 0; row < bars.size(); row++) {
-            lines.addAll(List.of(new double[] {1, row}, new double[] {bars.get(row).overBase(), row},
-                    new double[] {Double.NaN, Double.NaN}));            // the pen is lifted between bars
-        }
+        List<Cost> dearest = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase))
+                .skip(Math.max(0, costs.size() - ROWS)).toList();
         return Panel.of("A step of cloth with one effect or rule more", List.of(new Chart(
                 Axis.log("time for a step / time with springs alone", ""), Axis.linear("what the scene names", ""),
-                List.of(Series.of(Look.OWN, "time for a step", Mark.FILL, lines))).inRows(bars.stream()
-                .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList())));
+                List.of(Series.of(Look.OWN, "time for a step", Mark.POINTS, dearest, Cost::overBase, dearest::indexOf)))
+                .inRows(dearest.stream().map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList())));
     }
 }

@@ -2,7 +2,6 @@ package particles.experiments.stability;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.List;
@@ -135,7 +134,7 @@ class SceneStabilityTest {
 
     private static Panel plane(double deltaT, String... solvers) {
         return SceneStabilityCharts.plane("A chain", SceneStability.spectrum(chain(1, "")), deltaT,
-                Stream.of(solvers).map(SolverCatalog::info).toList());
+                Stream.of(solvers).map(SolverChoice::of).toList());
     }
 
     /** At deltaT = 100, modes reach to 141, rk4's region to 2.83 and radau's unstable one to 7.5. */
