@@ -32,6 +32,7 @@ public final class Simulation {
     private final EventSteps eventSteps;
     private double startTime;
     private long planned;                               // steps
+    private long before;                                // steps before it was prolonged
     private long steps;
 
     /**
@@ -112,7 +113,13 @@ public final class Simulation {
      * @return whether the duration is over
      */
     public boolean isOver() {
-        return steps >= planned;
+        return steps - before >= planned;
+    }
+
+    /** Lets a run that is over go on for its duration once more. */
+    public void prolong() {
+        startTime = system.getTime();
+        before = steps;
     }
 
     /**
@@ -124,7 +131,8 @@ public final class Simulation {
      *         results so far; {@link #finish} need not be called
      */
     public void advance() {
-        double end = startTime + (steps + 1 < planned ? (steps + 1) * deltaT : duration);
+        long next = steps - before + 1;
+        double end = startTime + (next < planned ? next * deltaT : duration);
         if (end <= system.getTime()) {
             throw new SimulationException(system.getTime(), -1,
                     "a step of " + deltaT + " s no longer moves the clock at"

@@ -28,6 +28,23 @@ record Frame(double time, float[] state, float[] energies, Structure structure, 
     record Account(long steps, long evaluations, Map<String, Double> work) {
     }
 
+    /**
+     * A moment between this one and the next, on straight lines.
+     *
+     * @param time its time (s)
+     */
+    Frame towards(Frame next, double time) {
+        if (next.structure != structure) {
+            return this;
+        }
+        float part = (float) ((time - this.time) / (next.time - this.time));
+        float[] between = new float[state.length];
+        for (int i = 0; i < between.length; i++) {
+            between[i] = state[i] + part * (next.state[i] - state[i]);
+        }
+        return new Frame(time, between, energies, structure, account);
+    }
+
     /** About the number of bytes that it takes, without its structure, which it shares with others. */
     long bytes() {
         return 200 + 100L * account.work().size() + 4L * state.length + 4L * energies.length;

@@ -23,6 +23,7 @@ public final class LabRun {
     private final ParticleSystem system;
     private final FrameRecorder frames;
     private final PointerSpring pointer;
+    private boolean endless;
     private double wanted;
     private Frame shown;
     private Motion latest;
@@ -78,8 +79,8 @@ public final class LabRun {
     public void advance(double time, BooleanSupplier enough) {
         wanted = time;
         boolean stop = false;
-        while (!stop && system.getTime() < time && !simulation.isOver()) {
-            simulation.advance();
+        while (!stop && system.getTime() < time && !isOver()) {
+            makeStep();
             stop = enough.getAsBoolean();
         }
         if (system.getTime() <= time || latestStructure != frames.getStructure()) {
@@ -91,10 +92,28 @@ public final class LabRun {
 
     /** Makes one step. */
     public void step() {
-        if (!simulation.isOver()) {
-            simulation.advance();
+        if (!isOver()) {
+            makeStep();
         }
         show();
+    }
+
+    private void makeStep() {
+        if (simulation.isOver()) {
+            simulation.prolong();
+        }
+        simulation.advance();
+    }
+
+    /** Keeps and shows the present moment, the last of a run that cannot go on. */
+    void end() {
+        frames.finished(system);
+        show();
+    }
+
+    /** @param endless whether the run goes on after the scene's duration */
+    void setEndless(boolean endless) {
+        this.endless = endless && simulation.getDuration() > 0;
     }
 
     private void show() {
@@ -102,9 +121,9 @@ public final class LabRun {
         shown = frames.frame(system.getOwnState(), wanted, frames.getStructure());
     }
 
-    /** @return whether the scene's duration is over */
+    /** @return whether the scene's duration is over, and the run does not go on */
     public boolean isOver() {
-        return simulation.isOver();
+        return !endless && simulation.isOver();
     }
 
     /** @return the scene */

@@ -23,6 +23,8 @@ final class PointerSpring implements DifferentiableEffect, Rule {
     private double stiffness;
     private double damping;
     private boolean changed;
+    private int next = -1;                              // what is dragged from the end of the present step on
+    private Vector3 nextPointer;
 
     /**
      * @param particles the particles
@@ -33,12 +35,17 @@ final class PointerSpring implements DifferentiableEffect, Rule {
         this.mostOmega = mostOmega;
     }
 
-    /** Drags a particle towards a point, from now on; no particle if the index is -1. */
+    /** Drags a particle towards a point, from the end of the present step on; no particle if the index is -1. */
     void drag(int particle, Vector3 pointer) {
-        this.particle = particle >= 0 && particles.isFixed(particle) ? -1 : particle;
-        this.pointer = pointer;
+        next = particle >= 0 && particles.isFixed(particle) ? -1 : particle;
+        nextPointer = pointer;
         changed = true;
-        if (this.particle >= 0) {
+    }
+
+    private void change() {
+        particle = next;
+        pointer = nextPointer;
+        if (particle >= 0) {
             double mass = particles.mass(particle);
             stiffness = Math.min(particles.freeMass() * QUICKNESS * QUICKNESS, mass * mostOmega * mostOmega);
             damping = Math.sqrt(stiffness * mass);
@@ -93,13 +100,17 @@ final class PointerSpring implements DifferentiableEffect, Rule {
     @Override
     public void reindex(int[] newIndex) {
         particle = particle < 0 ? -1 : newIndex[particle];
+        next = next < 0 ? -1 : newIndex[next];
     }
 
-    /** Tells the run that the force has changed, so that solvers forget earlier steps. */
+    /** Changes the force between two steps, so that solvers forget earlier steps and the ledger earlier powers. */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
-        boolean told = changed;
+        boolean change = changed;
+        if (change) {
+            change();
+        }
         changed = false;
-        return told;
+        return change;
     }
 }

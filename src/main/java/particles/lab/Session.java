@@ -45,6 +45,7 @@ import particles.spec.messages.Problems;
 public final class Session {
     private static final double ABSOLUTE_PART = 1e-3;
     private static final double NANOSECONDS = 1e6;
+    private static final int LAST_STEPS = 30;
 
     private final ClassNames classes;
     private LabRun run;
@@ -139,11 +140,15 @@ public final class Session {
     }
 
     private void work(Runnable work) {
+        if (!failure.isEmpty()) {
+            return;
+        }
         long start = System.nanoTime();
         try {
             work.run();
         } catch (SimulationException e) {
             failure = new BlowUpMessage(run.getScene(), e, UnaryOperator.identity()).lines();
+            run.end();
         }
         nanoseconds += System.nanoTime() - start;
         shown = run.getShown();
@@ -157,6 +162,29 @@ public final class Session {
     @JSExport
     public void look(double time) {
         shown = run.getHistory().at(time);
+    }
+
+    /** @return the time from which on the last steps of a run are shown slowly (s) */
+    @JSExport
+    public double lastSteps() {
+        return run.getHistory().before(LAST_STEPS);
+    }
+
+    /**
+     * Shows a moment between two that were kept.
+     *
+     * @param time its time (s)
+     */
+    @JSExport
+    public void between(double time) {
+        Frame from = run.getHistory().at(time);
+        shown = run.getHistory().after(time).stream().findFirst().map(to -> from.towards(to, time)).orElse(from);
+    }
+
+    /** @param endless whether the run goes on after the scene's duration */
+    @JSExport
+    public void setEndless(boolean endless) {
+        run.setEndless(endless);
     }
 
     /**
@@ -242,6 +270,17 @@ public final class Session {
     public float[] energies(double time) {
         return joined(run.getHistory().after(time).stream().flatMap(frame ->
                 Stream.of(new float[] {(float) frame.time()}, frame.energies())).toList());
+    }
+
+    /**
+     * @param time a time (s)
+     * @return the time and the state after each step kept that ended later, while the particles were the present ones
+     */
+    @JSExport
+    @JSByRef
+    public float[] states(double time) {
+        return joined(run.getHistory().after(time).stream().filter(frame -> frame.structure() == shown.structure())
+                .flatMap(frame -> Stream.of(new float[] {(float) frame.time()}, frame.state())).toList());
     }
 
     /**

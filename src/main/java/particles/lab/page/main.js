@@ -26,13 +26,14 @@ import {ofPage} from './words.js';
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
 const STILL = matchMedia('(prefers-reduced-motion: reduce)');
-const {engine, worker} = window.started;
+const {engine} = window.started;
 let facts = null, structure = null, plotted = 0;
 
 const view = makeView($('view'));
-const player = new Player(worker, {paused, restarted: () => { startPlots(); phase.renew(); startNearest(); }});
+const player = new Player(window.started.worker, {paused, renew: () => listenTo(new Worker(engine)),
+  restarted: () => { startPlots(); phase.renew(); }});
 const hand = new Hand($('view'), view, id => phase.pick(id), pulled);
-const inspector = new Inspector($('view'), id => worker.postMessage({type: 'particle', id}));
+const inspector = new Inspector($('view'), id => player.tell({type: 'particle', id}));
 const energy = new EnergyPlot($('energy')), phasePlot = new PhasePlot($('phase'));
 const editor = new Editor($('text'), edited);
 const parameters = new Parameters(editor);
@@ -40,8 +41,8 @@ const stability = new Stability(engine), settings = new Settings(change, stabili
 const panels = new Panels(engine, panelsChanged, heard);
 const comparison = new ComparisonPlot($('comparison'), 'energy change (J)', false);
 const distances = new ComparisonPlot($('distances'), 'distance (m)', true);
-const nearest = new Nearest(engine, distances, runs);
-const phase = new PhaseSpace(phasePlot, engine, question => { worker.postMessage(question); panels.tell(question); },
+const nearest = new Nearest(engine, distances);
+const phase = new PhaseSpace(phasePlot, engine, question => { player.tell(question); panels.tell(question); },
     () => panels.all.length, () => address.changed());
 const tables = [new Table($('energyTable'), () => energy.table()), new Table($('phaseTable'), () => phasePlot.table())];
 const film = new Film($('view'), note), rates = new Rates();
@@ -133,6 +134,7 @@ function edited() {
 /** Starts anew with what is chosen; the run goes on if one was going. An answer that is known is not waited for. */
 function open(play) {
   const answer = known.splice(0);
+  rates.forget();
   player.open({...sent(), known: answer.length > 0}, play);
   address.changed();
   answer.forEach(data => hear({data}));
@@ -178,7 +180,7 @@ function opened(message) {
   inspector.start();
   startPlots();
   if (wanted?.time > 0) {
-    worker.postMessage({type: 'reach', time: Number(wanted.time)});
+    player.tell({type: 'reach', time: Number(wanted.time)});
   }
   player.startIfWanted();
 }
@@ -258,7 +260,6 @@ function shown(message) {
   phasePlot.add(0, message.points);
   addEnergies(0, message, facts);
   player.show(message);                 // at its end, tables are written of what the plots have
-  nearest.add(0, message, structure);
   panels.tell({type: 'follow', time: message.time});
   phase.reach(message.time);
   const particle = structure.ids.indexOf(phase.id);
@@ -299,23 +300,25 @@ function runs() {
 }
 
 function pulled(id, point) {
-  nearest.pulled();
   panels.tell(player.drag(id, point));
 }
 
 function startNearest() {
-  if (panels.all.length) {
-    nearest.start(good, facts, structure);
+  if (structure && panels.all.length && panels.all.every(panel => panel.facts)) {
+    const openings = [good, ...panels.all.map(panel => panel.opening)];
+    nearest.start(runs().map((run, i) => ({...run, opening: openings[i]})).filter(run => run.same), good, facts,
+        structure);
   }
 }
 
 let firstTotals = [];
 
 function startPlots() {
-  energy.start(facts.energies, facts.uniform);
+  energy.start(facts.energies, facts.uniform, facts.duration);
   panels.open(good, facts);
-  comparison.start(runs());
+  comparison.start(runs(), facts.duration);
   firstTotals = [];
+  nearest.close();
 }
 
 /** Adds how the total energy of a run has changed after each step. */
@@ -337,10 +340,10 @@ function heard(i, message) {
     if (!message.facts.errors && structure) {       // it may be opened after the first run's last frame
       panel.worker.postMessage({type: 'follow', time: player.frame.time});
     }
+    startNearest();
   } else if (message.type === 'frame' && panel.facts) {
     addEnergies(i + 1, message, panel.facts);
     phasePlot.add(i + 1, message.points);
-    nearest.add(i + 1, message, panel.structure);
   } else if (message.type === 'phase') {
     phase.answer(i + 1, message);
   }
@@ -353,11 +356,12 @@ const hear = ({data}) => ({
   frame: () => shown(data),
   table: () => save(nameOfRun() + '.csv', data.table),
   phase: () => phase.answer(0, data),
+  paused: () => player.rest(),
   particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => player.fail(data.message)
 })[data.type]?.();
-worker.onmessage = hear;
-worker.onerror = event => player.fail(event.message);
+const listenTo = worker => Object.assign(worker, {onmessage: hear, onerror: event => player.fail(event.message)});
+listenTo(player.worker);
 
 function openFirst() {
   $('scene').value = FIRST.name;
@@ -393,7 +397,7 @@ $('open').onchange = async () => {
 /** Scene and solver, in the names of files. */
 const nameOfRun = () => $('scene').value.replace(/\.yaml$/, '') + '-' + facts.solver;
 offer(nameOfRun, film, energy, phasePlot);
-$('saveTable').onclick = () => worker.postMessage({type: 'table', energies: facts.energies});
+$('saveTable').onclick = () => player.tell({type: 'table', energies: facts.energies});
 $('savePicture').disabled = $('film').disabled = !view.camera;          // without WebGL there is none
 
 function showEditor(on) {
@@ -410,6 +414,7 @@ addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
 function draw(now = 0) {
+  player.watch(now);
   panels.draw(view.camera, $('arrows').checked);
   if (view.draw()) {
     player.playing ? rates.drew(now, player.frame.time) : address.changed();    // somebody may have turned the picture

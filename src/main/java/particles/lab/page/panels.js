@@ -130,7 +130,7 @@ class Panel {
 
   open(sent, facts) {
     const {solver, deltaT, text} = this.choice;
-    const opening = {type: 'open', ...sent, text: text ?? sent.text, solver, tolerance: 0,
+    const opening = this.opening = {type: 'open', ...sent, endless: true, text: text ?? sent.text, solver, tolerance: 0,
       deltaT: String(deltaT || (text === undefined ? facts.deltaT : ''))};
     this.facts = null;
     this.note = '';
@@ -141,7 +141,8 @@ class Panel {
   /** Once it is known which solver the text or the choice names. */
   openEqually(opening, deltaT) {
     if (deltaT > 0) {
-      this.worker.postMessage({...opening, deltaT: String(deltaT)});
+      this.opening = {...opening, deltaT: String(deltaT)};
+      this.worker.postMessage(this.opening);
     } else {
       this.note = 'No fixed number of evaluations per step, so its own deltaT.';
     }

@@ -1,21 +1,41 @@
 // The first run, in its worker: started, paused, stepped and looked back at by buttons, keys and the time slider.
 import {$, few, make} from './dom.js';
 
+const LONG = 1, STEPPING = ['play', 'step', 'goOn'];           // seconds
+const SLOWED = 'This run fails. Its last steps, slowed down:';
 const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 
 export class Player {
-  /** paused(): the run has stopped; restarted(): it is computed anew, and what was known of it is void */
-  constructor(worker, {paused, restarted}) {
-    Object.assign(this, {worker, paused, restarted, run: 0, playing: false, looking: false, autoplay: false,
-      pulled: false, frame: null});
+  /**
+   * paused(): the run has stopped; restarted(): it is computed anew, and what was known of it is void; renew(): gives
+   * another worker, in place of one that is in a long step
+   */
+  constructor(worker, {paused, restarted, renew}) {
+    Object.assign(this, {worker, paused, restarted, renew, run: 0, playing: false, looking: false, autoplay: false,
+      pulled: false, frame: null, waiting: Infinity});
     $('start').onclick = () => this.startOrPause();
     $('step').onclick = () => this.step();
     $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
+    $('atEnd').onchange = () => this.tell({type: 'endless', endless: this.endless});
     $('time').oninput = () => this.look(Number($('time').value));
   }
 
   tell(message) {
+    if (STEPPING.includes(message.type)) {
+      this.waiting = performance.now();
+    }
     this.worker.postMessage(message);
+  }
+
+  /** Says so when a step takes long. */
+  watch(now) {
+    const seconds = (now - this.waiting) / 1000, {steps, seconds: all} = this.frame ?? {};
+    $('waiting').textContent = seconds < LONG ? '' : `A step is being computed, for ${Math.round(seconds)} s now`
+        + (steps > 0 ? `; the ${steps} before took ${few(all / steps, 2)} s each.` : '.');
+  }
+
+  get endless() {
+    return $('atEnd').value === 'on';
   }
 
   get speed() {
@@ -23,11 +43,16 @@ export class Player {
   }
 
   /** Opens what is chosen, at its start; play: it moves as soon as it is there. */
-  open(sent, play = this.playing) {
+  open(sent, play = this.playing || this.autoplay) {
+    if ((performance.now() - this.waiting) / 1000 > LONG) {
+      this.worker.terminate();
+      this.worker = this.renew();
+    }
+    this.rest();
     this.autoplay = play;
     this.pulled = false;
     this.setPlaying(false);
-    this.tell({type: 'open', run: ++this.run, ...sent});
+    this.tell({type: 'open', run: ++this.run, endless: this.endless, ...sent});
   }
 
   /** The scene is there. */
@@ -85,6 +110,11 @@ export class Player {
     this.setPlaying(false);
   }
 
+  /** The worker does nothing until it is asked. */
+  rest() {
+    this.waiting = Infinity;
+  }
+
   startOrPause() {
     if (!$('start').disabled) {
       this.playing ? this.pause() : this.start();
@@ -99,6 +129,7 @@ export class Player {
   }
 
   look(time) {
+    this.autoplay = false;
     this.setPlaying(false);
     this.tell({type: 'look', time});
   }
@@ -125,6 +156,8 @@ export class Player {
   show(frame) {
     this.frame = frame;
     this.looking = Boolean(frame.looking);
+    this.waiting = this.playing ? performance.now() : Infinity;
+    $('time').max = Math.max($('time').max, frame.reached);
     $('time').value = frame.time;
     $('clock').textContent = few(frame.time) + ' s';
     $('steps').textContent = frame.steps;
@@ -132,10 +165,12 @@ export class Player {
     $('seconds').textContent = this.looking ? '' : few(frame.seconds) + ' s';
     $('work').replaceChildren(...Object.entries(frame.work).filter(([name, joules]) => joules)
         .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
-    if (frame.failure && !this.looking) {
-      $('message').textContent = frame.failure;
+    if (frame.slowed || frame.failure && !this.looking) {
+      $('message').textContent = frame.slowed ? SLOWED : frame.failure;
     }
-    if (frame.over || frame.failure) {
+    if (frame.over && !frame.failure && this.playing && $('atEnd').value === 'loop') {
+      this.goOn(0);
+    } else if (frame.over || frame.failure) {
       this.setPlaying(false);
     }
     this.showStart();

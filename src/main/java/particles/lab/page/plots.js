@@ -15,10 +15,13 @@ const short = v => v === null ? ''
     : v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
 /** How large the type is, and how thick lines are with it, where 1 is usual. */
 const scale = () => parseFloat(getComputedStyle(document.body).getPropertyValue('--type')) / 12;
-const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => values.map(short),
+const axes = (x, y) => [x, y].map((label, i) => ({label,
+  values: (u, values) => i && !isMoving(u) ? [] : values.map(short),
   size: (i ? 62 : 44) * scale(), labelSize: 20 * scale(), font: 12 * scale() + 'px system-ui, sans-serif',
   labelFont: 'bold ' + 12 * scale() + 'px system-ui, sans-serif', stroke: () => ink('--ink'),
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
+/** Whether there is more than a first moment; before that, the numbers of an axis would mean nothing. */
+const isMoving = u => u.data.some(one => (one?.[0]?.length ?? one?.length) > 1);
 const size = element => ({width: Math.max(240, element.clientWidth),
   height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
 const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
@@ -31,9 +34,10 @@ export class EnergyPlot {
     this.logarithmic = false;
   }
 
-  /** names: of the energies; uniform: the numbers of those whose zero is their lowest value so far */
-  start(names, uniform) {
+  /** names: of the energies; uniform: the numbers of those whose zero is their lowest value so far; duration (s) */
+  start(names, uniform, duration) {
     this.names = names;
+    this.duration = duration;
     this.uniform = uniform;
     this.data = [[], ...names.map(() => [])];
     this.lastKept = -Infinity;
@@ -45,9 +49,9 @@ export class EnergyPlot {
     this.plot?.destroy();
     const error = this.names.length - 1;
     const [time, energy] = axes('time (s)', 'energy (J)');
-    this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'numerical error (J)')[1],
+    this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'error (J)')[1],
       scale: 'error', side: 1, grid: {show: false}}],
-      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : 1]},
+      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : this.duration]},
         error: {distr: this.logarithmic ? 3 : 1}},
       cursor: {drag: {x: false, y: false}},
       series: [{label: 'time (s)', value: latest},
@@ -143,15 +147,15 @@ export class ComparisonPlot {
     Object.assign(this, {element, label, logarithmic});
   }
 
-  /** runs: the name of each, and the colour of each but the first */
-  start(runs) {
+  /** runs: the name of each, and the colour of each but the first; duration: of the scene (s) */
+  start(runs, duration) {
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
     const [time, value] = axes('time (s)', this.label);
     this.plot = new uPlot({...size(this.element), mode: 2,
       axes: [time, {...value, ...(this.logarithmic && {splits: decades})}],
-      scales: {x: {time: false}, y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
+      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : duration]}, y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
       legend: {show: true, live: false},
       series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => ({facets, label: name, stroke: colour,
         width: 1.5 * scale(), paths: polyline(false)}))]}, this.data, this.element);

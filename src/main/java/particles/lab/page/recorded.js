@@ -22,7 +22,9 @@ function find(time) {
   return low;
 }
 
-const particle = () => '{}', drag = () => {};
+const LAST_STEPS = 30;
+const particle = () => '{}', drag = () => {}, setEndless = () => {};
+const lastSteps = () => times[Math.max(0, last - LAST_STEPS)];
 
 function open() {
   look(times[0]);
@@ -63,6 +65,8 @@ function rows(time, read) {
   return Float32Array.from(times.slice(from < 0 ? times.length : from).flatMap((one, k) => read(from + k)));
 }
 
+const states = time => rows(time, k => RECORDED.structureOf[k] === structureNumber() ? [times[k], ...moments[k].state]
+    : []);
 const energies = time => rows(time, k => [times[k], ...moments[k].energies]);
 const structureNumber = () => RECORDED.structureOf[at];
 const ids = () => JSON.stringify(RECORDED.ids[structureNumber()]);
@@ -75,5 +79,5 @@ function phase(id, axis, time) {
   });
 }
 
-const session = () => ({open, advance, look, step, drag, particle, status, state, energies, structureNumber, ids,
+const session = () => ({open, advance, between: advance, look, lastSteps, step, drag, setEndless, particle, status, state, states, energies, structureNumber, ids,
   structure, phase});

@@ -126,7 +126,13 @@ export class Film {
 /** Counts pictures and simulated seconds in the last second. */
 export class Rates {
   constructor() {
+    this.forget();
+  }
+
+  /** Another scene is not as fast. */
+  forget() {
     this.moments = [];
+    $('rate').textContent = $('pace').textContent = '';
   }
 
   /** A moment was drawn at a time of the clock on the wall (ms). */

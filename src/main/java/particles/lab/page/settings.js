@@ -39,7 +39,7 @@ export class Settings {
     $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
         : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
         : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
-        : 'No spring limits deltaT here.';
+        : solver ? 'No spring limits deltaT here.' : '';
     this.refuse([]);
     this.showStability(facts.deltaT);
   }

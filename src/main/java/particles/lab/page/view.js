@@ -195,6 +195,7 @@ class View {
 
   show(moment) {
     this.moment = moment;
+    this.trails?.add(moment.path, this.structure.ids);
     this.changed = this.stale = true;
   }
 

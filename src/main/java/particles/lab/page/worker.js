@@ -2,21 +2,25 @@
 // Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
 const engine = session();               // the lab's Session, or what was recorded of one
 const SLICE = 25;                       // milliseconds of steps between two messages, at most
+const ENDING = 4000;                    // milliseconds that the last steps of a run that fails are shown for
 let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null, stops = false, pull = null;
 let followed = 0;                       // the moment of another run that this one has gone to
+let ending = null;                      // how the last steps of a run that has failed are shown
+let trails = false;
 let knownStructure = null, file = null, plotted = -1, chosen = null;
 
 function tell(more) {
   const message = {type: 'frame', ...JSON.parse(engine.status()), ...more};
   message.state = engine.state().slice();
   message.energies = engine.energies(plotted).slice();          // after the steps since the last message
+  message.path = trails ? engine.states(plotted).slice() : new Float32Array();
   message.points = chosen ? engine.phase(chosen.id, chosen.axis, plotted).slice() : new Float32Array();
   plotted = Math.max(plotted, message.reached);
   if (engine.structureNumber() !== knownStructure) {
     knownStructure = engine.structureNumber();
     message.structure = {ids: JSON.parse(engine.ids()), numbers: engine.structure().slice()};
   }
-  postMessage(message, [message.state.buffer, message.energies.buffer, message.points.buffer]);
+  postMessage(message, [message.state, message.energies, message.path, message.points].map(({buffer}) => buffer));
   return message;
 }
 
@@ -41,7 +45,9 @@ function start(message) {
     knownStructure = null;
     target = 0;
     plotted = -1;
-    catchUp = pull = null;
+    catchUp = pull = ending = null;
+    trails = [facts.look, ...Object.values(facts.look.marks)].some(({trail}) => trail > 0);
+    engine.setEndless(Boolean(message.endless));
     stops = false;
     followed = 0;
   }
@@ -54,20 +60,43 @@ function tick() {
     return;
   }
   const now = performance.now();
+  if (ending) {
+    end(now);
+    return;
+  }
   target = catchUp ?? target + speed * (now - lastTick) / 1000;
   lastTick = now;
   engine.advance(target, SLICE);
-  const {time, over, failure} = tell();
+  const {reached, failure} = JSON.parse(engine.status());
+  if (failure) {
+    ending = {began: now, from: engine.lastSteps(), to: reached};
+    end(now);
+    return;
+  }
+  const {time, over} = tell();
   if (catchUp !== null && time >= catchUp) {
     catchUp = null;
     dragged();
   }
   target = Math.min(target, time + speed * SLICE / 1000);       // what is too slow for real time does not run after it
-  if (over || failure || catchUp === null && stops) {
+  if (over || catchUp === null && stops) {
     playing = stops = false;
     return;
   }
   later(now);
+}
+
+/** Shows the last steps of a run that has failed, so slowly that an eye can follow; then says why it has failed. */
+function end(now) {
+  const part = (now - ending.began) / ENDING;
+  engine.between(ending.from + Math.min(1, part) * (ending.to - ending.from));
+  if (part < 1) {
+    tell({over: false, failure: '', looking: true, slowed: true});
+    later(now);
+  } else {
+    playing = stops = false;
+    tell();
+  }
 }
 
 /** Hands the latest pull to the run; while it catches up with the moment it goes on from, the pull waits. */
@@ -134,7 +163,8 @@ const commands = {
     }
   },
   play: message => { speed = message.speed; stops = false; play(); },
-  pause: () => { playing = false; },
+  endless: ({endless}) => { file.endless = endless; engine.setEndless(endless); tell(); },
+  pause: () => { playing = false; postMessage({type: 'paused'}); },
   step: () => {
     engine.step();
     const {time, reached} = JSON.parse(engine.status());
@@ -154,7 +184,7 @@ const commands = {
       playing = stops = false;
       engine.look(time);
       tell({looking: true});
-    } else {
+    } else if (!ending) {
       commands.reach({time});
     }
   },
@@ -175,7 +205,8 @@ const commands = {
   // The state at a time, also between two steps.
   sample: ({time}) => {
     engine.advance(time, 1e9);
-    postMessage({type: 'sample', time, state: engine.state().slice()});
+    const {failure} = JSON.parse(engine.status());
+    postMessage({type: 'sample', time, failure, ids: engine.ids(), state: engine.state().slice()});
   },
   state: message => {
     engine.advance(message.time, 1e9);
