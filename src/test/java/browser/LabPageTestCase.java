@@ -68,6 +68,7 @@ abstract class LabPageTestCase {
 
     void runToTheEnd() {
         page.choose("speed", "5");
+        page.choose("atEnd", "stop");
         page.click("start");
         page.await("the end", () -> page.text("start").equals("Start") && page.number("steps") > 0);
     }

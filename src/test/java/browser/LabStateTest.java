@@ -26,10 +26,22 @@ import org.openqa.selenium.Keys;
 class LabStateTest extends LabPageTestCase {
     private static final String STATE = """
             const value = id => document.getElementById(id).value;
-            return [value('scene'), value('solver'), value('deltaTNumber'), value('particle'), value('axis'),
+            return [value('scene'), value('solver'), value('deltaTNumber'), value('particle'), value('vertical'),
               document.querySelector('.CodeMirror').CodeMirror.getValue(), document.getElementById('clock').textContent,
               ...window.lab.view.camera.describe().map(number => number.toFixed(9)),
               ...window.lab.view.moment.state].join();
+            """;
+
+    /** The titles of axes that are longer than the picture of their plot. */
+    private static final String CUT_TITLES = """
+            const {energy, phase, comparison, distances} = window.lab;
+            return [energy, phase, comparison, distances].map(one => one.plot)
+              .filter(plot => plot.root.offsetParent).flatMap(plot => plot.axes.slice(1).filter(({label}) => {
+                const size = parseFloat(getComputedStyle(document.body).getPropertyValue('--type'));
+                plot.ctx.font = 'bold ' + size * devicePixelRatio + 'px system-ui, sans-serif';
+                const half = plot.ctx.measureText(label).width / 2, middle = plot.bbox.top + plot.bbox.height / 2;
+                return middle - half < 0 || middle + half > plot.ctx.canvas.height;
+              }).map(({label}) => label));
             """;
 
     /** A row of README's table of slides; its run, if it has one, is what stands behind the task's name. */
@@ -55,7 +67,8 @@ class LabStateTest extends LabPageTestCase {
             until("view.facts.duration === 60");
             page.choose("solver", "euler");
             setStep("0.002");
-            page.choose("axis", "1");
+            page.choose("vertical", "y (m)");
+            page.choose("horizontal", "time (s)");
             press(" ");
             until("number('clock') > 0.3");
             press(" ");
@@ -132,7 +145,7 @@ class LabStateTest extends LabPageTestCase {
         page.driver().executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features",
                 List.of(Map.of("name", "prefers-reduced-motion", "value", "no-preference"))));
         page.go(Browser.page().toUri().toString());
-        until("number('steps') > 0 && number('rate') > 0 && number('pace') > 0");
+        until("number('steps') > 0 && number('pace') > 0");
         page.choose("scene", "06-bouncing-ball.yaml");
         until("text('teaches').includes('bounce') && number('steps') > 0");
     }
@@ -166,6 +179,15 @@ class LabStateTest extends LabPageTestCase {
         until("caption().startsWith('euler') && value('solver') === 'midpoint'");
         page.click("step");
         until("text('steps') === '1'");
+        // the circle and the verdict that the question asks for are beside the picture
+        until("text('nearest').includes('Nearest: run 1: midpoint, ')");
+        assertEquals(List.of(), page.script("""
+                return ['phase', 'nearest'].filter(id => {
+                  const {top, bottom} = document.getElementById(id).getBoundingClientRect();
+                  return !(bottom > top && top > 0 && bottom < innerHeight);
+                });
+                """));
+        assertEquals(List.of(), page.script(CUT_TITLES));
         page.screenshot("lecture");
         Object link = page.later("window.lab.address.write().then(arguments[0]);");
         page.reload();

@@ -1,10 +1,12 @@
 package particles.lab;
 
 import java.nio.FloatBuffer;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.view.SpringView.SpringList;
 
 /**
@@ -43,6 +45,33 @@ record Frame(double time, float[] state, float[] energies, Structure structure, 
             between[i] = state[i] + part * (next.state[i] - state[i]);
         }
         return new Frame(time, between, energies, structure, account);
+    }
+
+    /**
+     * @param what  -1 for the time (s), 0 to 2 for a coordinate (m), 3 to 5 for a velocity (m/s), 6 for the speed, 7 for
+     *              the distance from the other particle, 8 and more for an energy (J)
+     * @param id    a particle
+     * @param other another one
+     * @return that number; NaN if something of it is not there
+     */
+    float value(int what, String id, String other) {
+        if (what < 0) {
+            return (float) time;
+        }
+        if (what > 7) {
+            return what - 8 < energies.length ? energies[what - 8] : Float.NaN;
+        }
+        int i = 6 * List.of(structure.ids).indexOf(id);
+        int j = 6 * List.of(structure.ids).indexOf(other);
+        if (i < 0 || what == 7 && j < 0) {
+            return Float.NaN;
+        }
+        return what < 6 ? state[i + what] : what == 6 ? length(state[i + 3], state[i + 4], state[i + 5])
+                : length(state[i] - state[j], state[i + 1] - state[j + 1], state[i + 2] - state[j + 2]);
+    }
+
+    private static float length(double x, double y, double z) {
+        return (float) new Vector3(x, y, z).length();
     }
 
     /** About the number of bytes that it takes, without its structure, which it shares with others. */

@@ -5,7 +5,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.LinkedHashMap;
@@ -329,23 +328,17 @@ public final class Session {
     }
 
     /**
-     * @param id   a particle
-     * @param axis 0 for x, 1 for y, 2 for z
-     * @param time a time (s)
-     * @return its time, position and velocity after each step kept that ended later, one after the other
+     * @param what  the number of a quantity, as in {@link Frame#value}
+     * @param id    a particle
+     * @param other another one
+     * @param time  a time (s)
+     * @return the quantity after each step kept that ended later, and last at the moment shown
      */
     @JSExport
     @JSByRef
-    public float[] phase(String id, int axis, double time) {
-        List<float[]> points = new ArrayList<>();
-        for (Frame frame : run.getHistory().after(time)) {
-            int i = List.of(frame.structure().ids()).indexOf(id);
-            if (i >= 0) {
-                points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis],
-                        frame.state()[6 * i + axis + 3]});
-            }
-        }
-        return joined(points);
+    public float[] values(int what, String id, String other, double time) {
+        return joined(Stream.concat(run.getHistory().after(time).stream(), Stream.of(shown))
+                .map(frame -> new float[] {frame.value(what, id, other)}).toList());
     }
 
     static String base64(List<float[]> parts) {

@@ -4,7 +4,8 @@ import {OrbitControls} from 'orbit';
 
 const AHEAD = 0.5;                      // so many seconds of a particle's way at its velocity are in the picture too
 const WIDE = 1.5;                       // width over height; a scene's camera is meant for pictures as wide as that
-const MOST_GROWTH = 20;                 // a run that blows up leaves the picture
+const MOST_GROWTH = 20;                 // after that, particles leave the picture
+const MOST_OF_FAILED = 10_000;          // unless the run fails: then it is seen how
 
 export class SceneCamera {
   /** canvas: what people turn the picture on; changed() is called when they do */
@@ -20,7 +21,7 @@ export class SceneCamera {
     this.turned = false;
     this.box = boxOf(facts, structure, state);
     this.extent = Math.max(1e-6, this.box.getBoundingSphere(new THREE.Sphere()).radius);
-    this.mostExtent = MOST_GROWTH * this.extent;
+    this.fails = false;
     this.place();
   }
 
@@ -30,11 +31,11 @@ export class SceneCamera {
     const extent = Math.max(1e-6, sphere.radius);
     camera.fov = given?.perspective ? given.fieldOfView : 35;
     const half = Math.tan(camera.fov * Math.PI / 360);
-    this.target = given ? new THREE.Vector3(...given.target) : sphere.center.clone();
+    this.target = given && !this.fails ? new THREE.Vector3(...given.target) : sphere.center.clone();
     const flat = box.max.z - box.min.z < 0.05 * extent;
     const from = given ? new THREE.Vector3(...given.position).sub(this.target)
         : (flat ? new THREE.Vector3(0.22, 0.16, 1) : new THREE.Vector3(0.55, 0.42, 1));
-    const distance = !given ? 1.15 * extent / Math.sin(Math.atan(half * Math.min(1, camera.aspect)))
+    const distance = !given || this.fails ? 1.15 * extent / Math.sin(Math.atan(half * Math.min(1, camera.aspect)))
         : Math.max(1, WIDE / camera.aspect) * (given.perspective ? from.length() : given.height / 2 / half);
     camera.up.set(...(given?.up ?? [0, 1, 0]));
     camera.near = distance / 1000;
@@ -84,9 +85,13 @@ export class SceneCamera {
     this.controls.update();
   }
 
-  /** Goes farther away when particles leave the picture, unless the scene or somebody has placed the camera. */
-  follow(state) {
-    if (this.facts.camera || this.turned) {
+  /**
+   * Goes farther away when particles leave the picture, unless somebody has placed the camera or, of a run that does
+   * not fail, the scene has.
+   */
+  follow(state, fails) {
+    this.fails ||= Boolean(fails);
+    if (this.facts.camera && !this.fails || this.turned) {
       return;
     }
     const grown = this.box.clone();
@@ -96,7 +101,8 @@ export class SceneCamera {
         grown.expandByPoint(pointAhead(state, i, 0)).expandByPoint(pointAhead(state, i, AHEAD));
       }
     }
-    if (!grown.equals(this.box) && grown.getBoundingSphere(new THREE.Sphere()).radius < this.mostExtent) {
+    if (!grown.equals(this.box) && grown.getBoundingSphere(new THREE.Sphere()).radius 
+        < (this.fails ? MOST_OF_FAILED : MOST_GROWTH) * this.extent) {
       this.box = grown;
       this.place();
     }

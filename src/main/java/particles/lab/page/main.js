@@ -86,7 +86,7 @@ function describe() {
   const scene = $('scene').value;
   return {scene, ...(text !== textOf(scene) && {text}), ...chosen, time: player.playing ? 0 : player.frame?.time,
     panels: panels.describe(), equalWork: $('equalWork').checked, camera: view.camera?.describe(),
-    particle: phase.id, axis: phase.axis, ...(lecture.on && {lecture: lecture.slide})};
+    ...phase.describe(), ...(lecture.on && {lecture: lecture.slide})};
 }
 
 /** What the page goes back to when a lecture ends. */
@@ -264,8 +264,6 @@ function shown(message) {
   phase.reach(message.time);
   const particle = structure.ids.indexOf(phase.id);
   if (particle >= 0) {
-    const at = 6 * particle + phase.axis;
-    phasePlot.mark(message.state[at], message.state[at + 3]);
     inspector.show(phase.id, message.state, particle, player.looking);
   }
   $('firstCaption').textContent = panels.all.length ? captionOf(facts) + momentOf(message) : '';
@@ -428,7 +426,7 @@ function draw(now = 0) {
 }
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
-window.lab = {view, energy, phase: phasePlot, comparison, distances, panels, engine, address};  // for tests
+window.lab = {player, view, energy, phase: phasePlot, comparison, distances, panels, engine, address};  // for tests
 settings.list(SOLVERS);
 panels.list(SOLVERS);
 location.hash ? address.read().then(found => found || openFirst()) : openFirst();

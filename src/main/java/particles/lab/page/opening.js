@@ -16,6 +16,6 @@ function firstFrame() {
   const numbers = new Float32Array(Uint8Array.from(atob(floats), letter => letter.charCodeAt(0)).buffer);
   const names = JSON.parse(ids), state = 6 * names.length, energies = state + 1 + JSON.parse(facts).energies.length;
   return {type: 'frame', ...JSON.parse(status), state: numbers.subarray(0, state),
-    path: new Float32Array(), energies: numbers.subarray(state, energies), points: new Float32Array(),
+    path: new Float32Array(), energies: numbers.subarray(state, energies), points: [],
     structure: {ids: names, numbers: numbers.subarray(energies)}};
 }

@@ -1,8 +1,8 @@
-// The phase space of one particle: which, along which axis, and its curves in all runs and in a reference.
+// What is plotted over what: quantities of particles, in all runs and in a reference.
 import {$} from './dom.js';
 import {COLOURS} from './panels.js';
 
-const REFERENCE_PARTICLES = 40;
+const REFERENCE_PARTICLES = 40, MOST_OTHERS = 60;
 const SLICE = 250, AHEAD = 4000;        // milliseconds that the reference runs between answers; before it has to wait
 
 /** What computes a scene as exactly as the page can; null where that would take too long, or nothing can compute. */
@@ -13,32 +13,57 @@ export const referenceOf = (sent, facts, structure, tolerance) =>
 export class PhaseSpace {
   /** plot: where the curves are drawn; ask(message): asks all runs; runs(): how many there are beside the first */
   constructor(plot, engine, ask, runs, changed) {
-    Object.assign(this, {plot, engine, askRuns: ask, runs, changed});
-    $('particle').onchange = $('axis').onchange = () => this.renew();
+    Object.assign(this, {plot, engine, askRuns: ask, runs, changed, others: [], kept: []});
+    $('particle').onchange = $('vertical').onchange = $('horizontal').onchange = () => this.renew();
+    $('addCurve').onclick = () => { this.kept.push(this.chosen('vertical')); this.renew(); };
+    $('oneCurve').onclick = () => { this.kept = []; this.renew(); };
   }
 
   get id() {
     return $('particle').value;
   }
 
-  get axis() {
-    return Number($('axis').value);
+  describe() {
+    return {particle: this.id, vertical: $('vertical').value, horizontal: $('horizontal').value, curves: this.kept};
   }
 
-  isChosen(message) {
-    return message.id === this.id && message.axis === this.axis;
+  /** What can be plotted: time, what the chosen particle has, energies. */
+  quantities() {
+    const all = (names, what, unit) => names.map((name, k) => ({what: what + k, unit, label: `${name} (${unit})`}));
+    return [...all(['time'], -1, 's'), ...all(['x', 'y', 'z'], 0, 'm'), ...all(['vx', 'vy', 'vz', 'speed'], 3, 'm/s'),
+      ...all(this.facts.energies, 8, 'J'), ...this.others.filter(other => other !== this.id).map(other =>
+      ({what: 7, other, unit: 'm', label: `distance to ${other} (m)`}))].map(one => ({...one, id: this.id}));
   }
 
-  /** A new scene. wanted: the particle and the axis of a link, or null; sent: what the scene was opened with */
+  chosen(select) {
+    const all = this.quantities();
+    return all.find(({label}) => label === $(select).value) ?? all[0];
+  }
+
+  /** Lists what can be plotted; what was chosen stays, if it is still there. */
+  offer(wanted) {
+    const labels = this.quantities().map(({label}) => label);
+    for (const [select, label] of Object.entries(wanted)) {
+      $(select).replaceChildren(...labels.map(one => new Option(one)));
+      $(select).value = labels.includes(label) ? label : labels[select === 'vertical' ? 4 : 1];
+    }
+  }
+
+  isChosen({quantities}) {
+    return JSON.stringify(quantities) === JSON.stringify(this.question().quantities);
+  }
+
+  /** A new scene. wanted: what a link wants to see, or null; sent: what the scene was opened with */
   start(facts, structure, wanted, sent) {
-    this.preferred = facts.phase;
+    Object.assign(this, {preferred: facts.phase, facts, kept: wanted?.curves ?? []});
     this.list(structure);
     if (structure.ids.includes(wanted?.particle)) {
       $('particle').value = wanted.particle;
-      $('axis').value = wanted.axis;
     } else if (!this.id && facts.phase) {
-      [$('particle').value, $('axis').value] = facts.phase;
+      $('particle').value = facts.phase[0];
     }
+    const axis = 'xyz'[facts.phase?.[0] === this.id ? facts.phase[1] : 0];
+    this.offer({vertical: wanted?.vertical ?? `v${axis} (m/s)`, horizontal: wanted?.horizontal ?? `${axis} (m)`});
     this.renew();
     this.startReference(referenceOf(sent, facts, structure, 1e-10));
   }
@@ -51,11 +76,11 @@ export class PhaseSpace {
   list(structure) {
     const before = this.id, first = this.preferred?.[0];
     const ids = structure.ids.filter((id, i) => !structure.fixed[i]);
+    this.others = structure.ids.slice(0, MOST_OTHERS);
     if (ids.length && ids.join() !== [...$('particle').options].map(option => option.value).join()) {
       $('particle').replaceChildren(...ids.map(id => new Option(id)));
       $('particle').value = ids.includes(before) ? before : ids.includes(first) ? first : ids[0];
       if (before !== this.id) {
-        $('axis').value = this.id === first ? this.preferred[1] : $('axis').value;
         this.renew();
       }
     }
@@ -66,10 +91,15 @@ export class PhaseSpace {
     this.renew();
   }
 
-  /** Another particle or axis, or other runs. */
+  /** Other curves, or other runs. */
   renew() {
+    if (!this.facts) {
+      return;
+    }
+    this.offer({vertical: $('vertical').value, horizontal: $('horizontal').value});
     this.changed();
-    this.plot.start('xyz'[this.axis], COLOURS.slice(0, this.runs()));
+    this.plot.start(this.question().quantities, COLOURS.slice(0, this.runs()));
+    $('oneCurve').hidden = !this.kept.length;
     this.ask();
   }
 
@@ -82,7 +112,7 @@ export class PhaseSpace {
   }
 
   question() {
-    return {type: 'phase', id: this.id, axis: this.axis};
+    return {type: 'phase', quantities: [this.chosen('horizontal'), this.chosen('vertical'), ...this.kept]};
   }
 
   /** What a run answers: the first has number 0. */

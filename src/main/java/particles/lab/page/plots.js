@@ -1,5 +1,5 @@
 // The energies over time and the phase space of one particle, drawn as the run goes.
-import {ink} from './dom.js';
+import {$, few, ink} from './dom.js';
 
 // By Okabe and Ito, and four that differ from those: people with any colour vision can tell them apart. An energy has
 // one colour in all scenes.
@@ -7,6 +7,7 @@ const COLOURS = ['#d55e00', '#0072b2'];
 const OF_ENERGIES = {total: COLOURS[0], kinetic: COLOURS[1], gravity: '#009e73', springs: '#cc79a7',
   attraction: '#e69f00', cohesion: '#56b4e9', penaltyPlane: '#6900ff', penaltySphere: '#b41e2d', repulsion: '#96b45a',
   'numerical error': '#7f7f7f'}, OF_OWN = '#4b78ff';
+const MORE = ['#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const MOST = 4000;                      // points of a curve; then every second is dropped
 const FEW = 150;                        // points that are dots as well
 
@@ -51,7 +52,7 @@ export class EnergyPlot {
     const [time, energy] = axes('time (s)', 'energy (J)');
     this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'error (J)')[1],
       scale: 'error', side: 1, grid: {show: false}}],
-      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : this.duration]},
+      scales: {x: {time: false, range: (u, low, high) => [0, u.data[0].at(-1) > 0 ? high : this.duration]},
         error: {distr: this.logarithmic ? 3 : 1}},
       cursor: {drag: {x: false, y: false}},
       series: [{label: 'time (s)', value: latest},
@@ -140,6 +141,9 @@ function thin(curve) {
   }
 }
 
+const line = (label, stroke) => ({facets: ['x', 'y'].map(scale => ({scale, auto: true})), label, stroke,
+  width: 1.5 * scale(), paths: polyline(false)});
+
 /** One curve for each of several runs. */
 export class ComparisonPlot {
   /** label: of the vertical axis; logarithmic: whether that axis is */
@@ -149,7 +153,6 @@ export class ComparisonPlot {
 
   /** runs: the name of each, and the colour of each but the first; duration: of the scene (s) */
   start(runs, duration) {
-    const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
     const [time, value] = axes('time (s)', this.label);
@@ -157,8 +160,7 @@ export class ComparisonPlot {
       axes: [time, {...value, ...(this.logarithmic && {splits: decades})}],
       scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : duration]}, y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
       legend: {show: true, live: false},
-      series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => ({facets, label: name, stroke: colour,
-        width: 1.5 * scale(), paths: polyline(false)}))]}, this.data, this.element);
+      series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => line(name, colour))]}, this.data, this.element);
   }
 
   /** A point of a run's curve, later than all before; others are left out. */
@@ -223,22 +225,25 @@ export class PhasePlot {
     this.element = element;
   }
 
-  /** others: the colours of other runs' curves */
-  start(axis, others = []) {
-    this.axis = axis;
-    this.curves = [COLOURS[1], ...others].map(() => [[], [], []]);      // times, positions and velocities of each run
-    const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
-    const [first, ...more] = this.curves.map(([times, ...curve]) => curve);
-    this.data = [null, [[], []], first, [[], []], ...more];
+  /** quantities: the horizontal one, and those over it; others: the colours of other runs' curves of the first */
+  start(quantities, others = []) {
+    const [across, ...up] = quantities;
+    const names = up.map(({label, id}) => up.length > 1 ? `${label} of ${id}` : label);
+    Object.assign(this, {quantities, names: ['time (s)', across.label, ...names]});
+    // of each run, the times and the values
+    this.curves = [quantities, ...others.map(() => quantities.slice(0, 2))].map(one => [[], ...one.map(() => [])]);
+    const [first, ...more] = this.curves, curve = (one, k) => [one[1], one[k]];
+    this.data = [null, [[], []], curve(first, 2), [[], []], ...up.slice(1).map((none, k) => curve(first, 3 + k)),
+      ...more.map(one => curve(one, 2))];
     this.plot?.destroy();
     const range = (u, low, high, scale) => this.ranges(u)[scale];
-    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
-      scales: {x: {time: false, range}, y: {range}}, legend: {show: false}, cursor: {show: false},
-      series: [{}, {facets, stroke: () => ink('--line'), width: 7, paths: polyline(false)},
-        {facets, stroke: COLOURS[1], width: 1.5 * scale(), dots: true, paths: polyline(false)},
-        {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)},
-        ...others.map(colour => ({facets, stroke: colour, width: 1.5 * scale(), paths: polyline(false)}))]},
-        this.data, this.element);
+    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(across.label, [...new Set(up.map(({label}) => label))]
+        .join(', ')), scales: {x: {time: false, range}, y: {range}},
+      legend: {show: up.length > 1, live: false}, cursor: {show: false},
+      series: [{}, {...line('reference', () => ink('--line')), width: 7}, {...line(names[0], COLOURS[1]), dots: true},
+        {...line('marks', COLOURS[0]), paths: polyline(true)},
+        ...names.slice(1).map((name, k) => line(name, MORE[k % MORE.length])),
+        ...others.map((colour, k) => line('run ' + (k + 2), colour))]}, this.data, this.element);
   }
 
   /** A metre is as long as a metre a second where both fit: with omega = 1 an exact circle is seen as one. */
@@ -247,15 +252,15 @@ export class PhasePlot {
     const [x, y] = [0, 1].map(k => all(k).reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)],
         [Infinity, -Infinity])).map(([low, high]) => low > high ? [-1, 1] : low === high ? [low - 1, high + 1]
         : [low - 0.05 * (high - low), high + 0.05 * (high - low)]);
-    const width = u.bbox.width || 1, height = u.bbox.height || 1;
+    const width = u.bbox.width || 1, height = u.bbox.height || 1, [one, other] = this.quantities;
     const [across, up] = [(x[1] - x[0]) / width, (y[1] - y[0]) / height];         // per pixel
     const widen = ([low, high], factor) => [(low + high) / 2 - factor * (high - low) / 2,
       (low + high) / 2 + factor * (high - low) / 2];
-    return Math.max(across / up, up / across) > 3 ? {x, y}
+    return other.what !== one.what + 3 || Math.max(across / up, up / across) > 5 ? {x, y}
         : {x: widen(x, Math.max(1, up / across)), y: widen(y, Math.max(1, across / up))};
   }
 
-  /** points: of a run, time, position and velocity after each step, one after the other; in place of those before */
+  /** points: of a run, the times and the values after each step and last at present; in place of those before */
   set(run, points) {
     this.curves[run]?.forEach(column => column.splice(0));
     this.add(run, points);
@@ -264,36 +269,43 @@ export class PhasePlot {
   /** Adds to a run's curve what is later than its points before. */
   add(run, points) {
     const curve = this.curves?.[run];
-    for (let i = 0; curve && i < points.length; i += 3) {
-      if (!(points[i] <= curve[0].at(-1))) {
-        curve.forEach((column, c) => column.push(points[i + c]));
+    if (!curve || points.length < curve.length) {
+      return;
+    }
+    for (let i = 0; i < points[0].length - 1; i++) {
+      if (!(points[0][i] <= curve[0].at(-1)) && curve.every((column, c) => !isNaN(points[c][i]))) {
+        curve.forEach((column, c) => column.push(points[c][i]));
       }
     }
-    if (curve) {
-      thin(curve);
-      this.stale = true;
+    thin(curve);
+    if (run === 0) {
+      this.now = points.slice(1, 3).map(column => column.at(-1));
     }
+    this.stale = true;
   }
 
   /** The names of the columns, and their numbers. */
   table() {
-    return [['time (s)', this.axis + ' (m)', 'v (m/s)'], this.curves[0]];
+    return [this.names, this.curves[0]];
   }
 
-  setReference(points) {
-    this.data[1] = [points.filter((value, i) => i % 3 === 1), points.filter((value, i) => i % 3 === 2)]
-        .map(column => [...column]);
+  setReference([, ...points]) {
+    this.data[1] = points.slice(0, 2).map(column => [...column.subarray(0, -1)]);
     this.stale = true;
   }
 
-  /** Shows where the particle is, between two steps as well. */
-  mark(x, v) {
-    this.data[3] = [[x], [v]];
-    this.stale = true;
+  /** Marks where the particle is, between two steps as well and, over time, the ends of its latest period. */
+  mark() {
+    const period = this.quantities[0].what < 0 ? lastPeriod(this.curves[0].slice(1)) : null;
+    this.data[3] = [0, 1].map(k => [this.now?.[k] ?? NaN, ...(period?.map(point => point[k]) ?? [])]);
+    const [[t0, high], [, low], [t1]] = period ?? [[], [], []];
+    $('period').textContent = period ? `From the last maximum but one to the last: period ${few(t1 - t0)} s, amplitude `
+        + few((high - low) / 2) + ' ' + this.quantities[1].unit : '';
   }
 
   draw() {
     if (this.stale) {
+      this.mark();
       this.plot.setData(this.data);
       this.stale = false;
     }
@@ -302,4 +314,19 @@ export class PhasePlot {
   resize() {
     this.plot?.setSize(size(this.element));
   }
+}
+
+/** The last two maxima of a curve and the minimum between them, each that of a parabola; null before there are two. */
+function lastPeriod([times, values]) {
+  const turns = [];
+  for (let i = values.length - 2; i > 0 && turns.length < 3; i--) {
+    const [t0, t1, t2] = times.slice(i - 1, i + 2), [v0, v1, v2] = values.slice(i - 1, i + 2);
+    const sign = turns.length % 2 ? -1 : 1;
+    if (sign * v1 > sign * v0 && sign * v1 >= sign * v2) {
+      const slope = (v1 - v0) / (t1 - t0), bend = ((v2 - v1) / (t2 - t1) - slope) / (t2 - t0);
+      const t = (t0 + t1) / 2 - slope / (2 * bend);
+      turns.unshift([t, v0 + slope * (t - t0) + bend * (t - t0) * (t - t1)]);
+    }
+  }
+  return turns.length === 3 ? turns : null;
 }

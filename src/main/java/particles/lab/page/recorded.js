@@ -72,12 +72,16 @@ const structureNumber = () => RECORDED.structureOf[at];
 const ids = () => JSON.stringify(RECORDED.ids[structureNumber()]);
 const structure = () => structures[structureNumber()];
 
-function phase(id, axis, time) {
-  return rows(time, k => {
-    const i = RECORDED.ids[RECORDED.structureOf[k]].indexOf(id);
-    return i < 0 ? [] : [times[k], moments[k].state[6 * i + axis], moments[k].state[6 * i + axis + 3]];
-  });
+/** As the lab's Frame.value. */
+function value(what, {time, energies, state, ids}, ...names) {
+  const [i, j] = names.map(name => 6 * ids.indexOf(name)), of = by => Math.hypot(...[0, 1, 2].map(by));
+  return what < 0 ? time : what > 7 ? energies[what - 8] : i < 0 ? NaN : what < 6 ? state[i + what]
+      : what === 6 ? of(k => state[i + 3 + k]) : of(k => state[i + k] - state[j + k]);
 }
 
+const momentOf = k => ({time: times[k], ...moments[k], ids: RECORDED.ids[RECORDED.structureOf[k]]});
+const values = (what, id, other, after) => Float32Array.from([...moments.keys()].filter(k => times[k] > after).map(momentOf)
+    .concat({...momentOf(at), time: now, state: state()}).map(moment => value(what, moment, id, other)));
+
 const session = () => ({open, advance, between: advance, look, lastSteps, step, drag, setEndless, particle, status, state, states, energies, structureNumber, ids,
-  structure, phase});
+  structure, values});

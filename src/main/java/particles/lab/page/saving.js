@@ -123,7 +123,7 @@ export class Film {
   }
 }
 
-/** Counts pictures and simulated seconds in the last second. */
+/** Measures how fast simulated time passes, over the last second. */
 export class Rates {
   constructor() {
     this.forget();
@@ -132,7 +132,7 @@ export class Rates {
   /** Another scene is not as fast. */
   forget() {
     this.moments = [];
-    $('rate').textContent = $('pace').textContent = '';
+    $('pace').textContent = '';
   }
 
   /** A moment was drawn at a time of the clock on the wall (ms). */
@@ -141,7 +141,6 @@ export class Rates {
     this.moments.push({now, time});
     const first = this.moments[0], seconds = (now - first.now) / 1000;
     if (seconds > 0.25) {
-      $('rate').textContent = Math.round((this.moments.length - 1) / seconds);
       $('pace').textContent = few((time - first.time) / seconds, 2) + ' s/s';
     }
   }

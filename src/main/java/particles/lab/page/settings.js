@@ -36,10 +36,11 @@ export class Settings {
     const part = limit > 0 ? (Math.log10(limit) - slider.min) / (slider.max - slider.min) : -1;
     $('mark').hidden = !(part >= 0 && part <= 1);
     $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
-    $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
+    $('limit').textContent = facts.deltaT > facts.duration ? 'Longer than the scene: one step of ' + few(facts.duration)
+        + ' s.' : solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
         : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
         : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
-        : solver ? 'No spring limits deltaT here.' : '';
+        : solver?.sentence ? 'No spring limits deltaT here.' : '';
     this.refuse([]);
     this.showStability(facts.deltaT);
   }

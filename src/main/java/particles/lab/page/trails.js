@@ -46,20 +46,9 @@ export class Trails {
         [to, toTime] = [from, fromTime];
       }
     }
-    this.set(positions, faded);
-  }
-
-  /** Replaces what is drawn; the memory grows and is used again. */
-  set(positions, colours) {
-    const geometry = this.object.geometry;
-    for (const [name, values, size] of [['position', positions, 3], ['color', colours, 4]]) {
-      if (!geometry.attributes[name] || geometry.attributes[name].array.length < values.length) {
-        geometry.dispose();
-        geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(2 * values.length + 2 * size), size));
-      }
-      geometry.attributes[name].array.set(values);
-      geometry.attributes[name].needsUpdate = true;
-    }
-    geometry.setDrawRange(0, positions.length / 3);
+    const {geometry} = this.object;
+    geometry.dispose();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+    geometry.setAttribute('color', new THREE.Float32BufferAttribute(faded, 4));
   }
 }

@@ -225,7 +225,7 @@ class View {
           this.camera.target.toArray());
     }
     this.surfaces.forEach(surface => surface.place(state));
-    this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.ball,
+    this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.shownBall(),
         this.camera.camera.getWorldDirection(new THREE.Vector3()).negate());
     if (this.hasTrails) {
       const {ids} = this.structure;
@@ -234,9 +234,15 @@ class View {
     }
   }
 
+  /** How large balls are (m): those of a run that fails stay visible when the picture holds all that flies away. */
+  shownBall() {
+    const smallest = this.camera.fails ? 4 * this.camera.viewHeight / this.element.clientHeight : 0;
+    return Math.max(this.ball, smallest);
+  }
+
   radius(i) {
     const {marks, kind} = this.facts.look, parts = this.structure.fixed[i] ? {glow: 1 / 3} : {points: 1 / 2};
-    return marks[this.structure.ids[i]]?.radius || (parts[kind] ?? 1) * this.ball;
+    return marks[this.structure.ids[i]]?.radius || (parts[kind] ?? 1) * this.shownBall();
   }
 
   particleColour(look, isFixed, age) {
@@ -270,7 +276,7 @@ class View {
     }
     if (this.changed) {
       this.place();
-      this.camera.follow(this.moment.state);
+      this.camera.follow(this.moment.state, this.moment.slowed);
     }
     if (this.isLitElsewhere()) {
       this.shine();

@@ -14,15 +14,19 @@ function tell(more) {
   message.state = engine.state().slice();
   message.energies = engine.energies(plotted).slice();          // after the steps since the last message
   message.path = trails ? engine.states(plotted).slice() : new Float32Array();
-  message.points = chosen ? engine.phase(chosen.id, chosen.axis, plotted).slice() : new Float32Array();
+  message.points = columns(plotted);
   plotted = Math.max(plotted, message.reached);
   if (engine.structureNumber() !== knownStructure) {
     knownStructure = engine.structureNumber();
     message.structure = {ids: JSON.parse(engine.ids()), numbers: engine.structure().slice()};
   }
-  postMessage(message, [message.state, message.energies, message.path, message.points].map(({buffer}) => buffer));
+  postMessage(message, [message.state, message.energies, message.path].map(({buffer}) => buffer));
   return message;
 }
+
+/** The times and the chosen quantities after each step later than a time, and last at the moment shown. */
+const columns = time => !chosen ? [] : [{what: -1}, ...chosen.quantities].map(({what, id = '', other = ''}) =>
+    engine.values(what, id, other, time).slice());
 
 /** An error that nobody expected is told in the program's own words; what is asked next is done as ever. */
 function guarded(work) {
@@ -195,7 +199,7 @@ const commands = {
   },
   phase: message => {
     chosen = message;
-    postMessage({...message, points: engine.phase(message.id, message.axis, -1).slice()});
+    postMessage({...message, points: columns(-1)});
   },
   table: ({energies}) => postMessage({type: 'table', table: tableOfRun(energies)}),
   particle: ({id}) => postMessage({type: 'particle', id, ...JSON.parse(engine.particle(id))}),
