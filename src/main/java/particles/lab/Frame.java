@@ -48,8 +48,8 @@ record Frame(double time, float[] state, float[] energies, Structure structure, 
     }
 
     /**
-     * @param what  -1 for the time (s), 0 to 2 for a coordinate (m), 3 to 5 for a velocity (m/s), 6 for the speed, 7 for
-     *              the distance from the other particle, 8 and more for an energy (J)
+     * @param what  -1 for the time (s), 0 to 2 for a coordinate (m), 3 to 5 for a velocity, 6 for the speed (m/s), 7
+     *              for the distance from the other particle (m), 8 and more for an energy (J)
      * @param id    a particle
      * @param other another one
      * @return that number; NaN if something of it is not there

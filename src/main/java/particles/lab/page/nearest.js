@@ -25,7 +25,8 @@ export class Nearest {
     Object.assign(this, {runs, samples: openings.map(() => []), duration: facts.duration});
     // one after the other, away from the runs that are seen: so all are whole, on a slow computer too
     this.worker = new Worker(this.engine);
-    this.worker.onmessage = ({data}) => (data.asked ?? data).type === 'sample' && this.take(data);
+    this.worker.onmessage = ({data}) => data.facts?.errors ? this.close()
+        : (data.asked ?? data).type === 'sample' && this.take(data);
     for (const opening of openings) {
       this.worker.postMessage(opening);
       for (let k = 0; k <= SAMPLES; k++) {
@@ -45,7 +46,8 @@ export class Nearest {
     if (run >= 0 && this.isComparable(sample)) {
       this.plot.add(run, sample.time, distance(sample, this.samples[0][this.samples[who].length - 1]));
     }
-    $('nearest').textContent = this.samples.at(-1).length <= SAMPLES ? 'The runs are being compared ...' : this.verdict();
+    const isDone = this.samples.at(-1).length > SAMPLES;
+    $('nearest').textContent = isDone ? this.verdict() : 'The runs are being compared ...';
   }
 
   /** Whether a sample is of a run that goes on, and of the particles that the scene begins with. */

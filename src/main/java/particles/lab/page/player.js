@@ -16,7 +16,11 @@ export class Player {
     $('start').onclick = () => this.startOrPause();
     $('step').onclick = () => this.step();
     $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
-    $('atEnd').onchange = () => this.tell({type: 'endless', endless: this.endless});
+    $('atEnd').onchange = () => {
+      this.tell({type: 'endless', endless: this.endless});
+      this.frame && (this.frame.over &&= !this.endless);
+      this.showStart();
+    };
     $('time').oninput = () => this.look(Number($('time').value));
   }
 

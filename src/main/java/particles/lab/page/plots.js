@@ -158,7 +158,8 @@ export class ComparisonPlot {
     const [time, value] = axes('time (s)', this.label);
     this.plot = new uPlot({...size(this.element), mode: 2,
       axes: [time, {...value, ...(this.logarithmic && {splits: decades})}],
-      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : duration]}, y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
+      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : duration]},
+        y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
       legend: {show: true, live: false},
       series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => line(name, colour))]}, this.data, this.element);
   }
@@ -237,8 +238,9 @@ export class PhasePlot {
       ...more.map(one => curve(one, 2))];
     this.plot?.destroy();
     const range = (u, low, high, scale) => this.ranges(u)[scale];
-    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(across.label, [...new Set(up.map(({label}) => label))]
-        .join(', ')), scales: {x: {time: false, range}, y: {range}},
+    this.plot = new uPlot({...size(this.element), mode: 2,
+      axes: axes(across.label, [...new Set(up.map(({label}) => label))].join(', ')),
+      scales: {x: {time: false, range}, y: {range}},
       legend: {show: up.length > 1, live: false}, cursor: {show: false},
       series: [{}, {...line('reference', () => ink('--line')), width: 7}, {...line(names[0], COLOURS[1]), dots: true},
         {...line('marks', COLOURS[0]), paths: polyline(true)},

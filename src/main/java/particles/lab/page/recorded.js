@@ -80,8 +80,9 @@ function value(what, {time, energies, state, ids}, ...names) {
 }
 
 const momentOf = k => ({time: times[k], ...moments[k], ids: RECORDED.ids[RECORDED.structureOf[k]]});
-const values = (what, id, other, after) => Float32Array.from([...moments.keys()].filter(k => times[k] > after).map(momentOf)
-    .concat({...momentOf(at), time: now, state: state()}).map(moment => value(what, moment, id, other)));
+const values = (what, id, other, after) => Float32Array.from([...moments.keys()].filter(k => times[k] > after)
+    .map(momentOf).concat({...momentOf(at), time: now, state: state()})
+    .map(moment => value(what, moment, id, other)));
 
-const session = () => ({open, advance, between: advance, look, lastSteps, step, drag, setEndless, particle, status, state, states, energies, structureNumber, ids,
-  structure, values});
+const session = () => ({open, advance, between: advance, look, lastSteps, step, drag, setEndless, particle, status,
+  state, states, energies, structureNumber, ids, structure, values});

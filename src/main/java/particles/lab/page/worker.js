@@ -167,7 +167,7 @@ const commands = {
     }
   },
   play: message => { speed = message.speed; stops = false; play(); },
-  endless: ({endless}) => { file.endless = endless; engine.setEndless(endless); tell(); },
+  endless: ({endless}) => { file.endless = endless; engine.setEndless(endless); },
   pause: () => { playing = false; postMessage({type: 'paused'}); },
   step: () => {
     engine.step();
