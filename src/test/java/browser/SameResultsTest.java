@@ -106,7 +106,7 @@ class SameResultsTest {
     /** What is wrong with a run in the page; empty if nothing is. */
     private static String difference(Run run, List<String> found, boolean sameBits, double bound) {
         Session session = new Session(ClassNames.none());
-        session.open(run.file(), run.text(), run.solver(), "", 0);
+        session.open(run.file(), run.text(), run.solver(), "", 0, "");
         session.advance(run.time(), 1e9);
         String failure = session.status().replaceFirst(".*\"failure\":\"(.*)\"}", "$1").replace("\\u000a", "\n");
         if (!failure.isEmpty() || !found.get(0).isEmpty()) {

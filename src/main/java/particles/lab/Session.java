@@ -68,7 +68,7 @@ public final class Session {
     public String opening(String file, String text, String solver) {
         Map<String, Object> told = JsonText.map("solvers", SolverCatalog.all().stream().map(one -> Map.of(
                 "name", one.name(), "adaptive", one.adaptive(), "sentence", one.sentence(),
-                "evaluations", one.evaluations())).toList(), "facts", open(file, text, solver, "", 0));
+                "evaluations", one.evaluations())).toList(), "facts", open(file, text, solver, "", 0, ""));
         if (run != null) {
             told.put("start", List.of(status(), ids(), base64(List.of(state(), energies(-1), structure()))));
         }
@@ -83,15 +83,18 @@ public final class Session {
      * @param solver    a solver other than the scene's; empty for the scene's
      * @param deltaT    a time step other than the scene's (s), as it was typed; empty for the scene's
      * @param tolerance a relative tolerance other than the scene's or the solver's; 0 for these
+     * @param set       other values for keys of the scene, as {@link Setting#list} reads them; may be blank
      * @return the facts of the scene or, under {@code errors}, the lines about its mistakes, as JSON
      */
     @JSExport
-    public String open(String file, String text, String solver, String deltaT, double tolerance) {
+    public String open(String file, String text, String solver, String deltaT, double tolerance, String set) {
         try {
             byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
             Problems problems = new Problems();
-            List<Setting> typed = deltaT.isEmpty() ? List.of() : Setting.of(SceneFormat.DELTA_T, deltaT, "deltaT",
-                    problems).stream().toList();
+            List<Setting> typed = new ArrayList<>(set.isBlank() ? List.of() : Setting.list(set, "set", problems));
+            if (!deltaT.isEmpty()) {
+                Setting.of(SceneFormat.DELTA_T, deltaT, "deltaT", problems).ifPresent(typed::add);
+            }
             problems.throwIfAny();
             SceneDescription described = SceneReader.read(file, bytes, classes, typed);
             boolean same = solver.isEmpty() || solver.equals(described.solver());
@@ -105,7 +108,7 @@ public final class Session {
             failure = "";
             nanoseconds = 0;
             Map<String, Object> facts = SceneFacts.of(scene, run.getFrames());
-            facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(number -> Map.of(
+            facts.put("numbers", SceneReader.numbers(bytes, classes, typed).stream().map(number -> Map.of(
                     "key", number.what(), "value", number.value(), "line", number.place().line(),
                     "column", number.place().column(), "least", number.least(), "most", number.most(),
                     "unit", number.unit())).toList());

@@ -147,10 +147,13 @@ public final class SceneReader {
                 Reading.NumberInText::unit).findFirst().orElse("");
     }
 
-    /** @return the numbers in a scene's text, in the order in which they are read; of what has mistakes, the others */
-    public static List<Reading.NumberInText> numbers(byte[] bytes, ClassNames classes) {
+    /**
+     * @return the numbers in a scene's text and in what is set in it, in the order in which they are read; where there
+     *         are mistakes, the others
+     */
+    public static List<Reading.NumberInText> numbers(byte[] bytes, ClassNames classes, List<Setting> settings) {
         Reading in = new Reading("", new Problems(), classes);
-        SceneFormat.SCENE.read(bytes, in);
+        SceneFormat.SCENE.read(bytes, settings, in);
         return in.numbers();
     }
 }

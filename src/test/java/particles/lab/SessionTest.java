@@ -37,11 +37,11 @@ class SessionTest {
 
     @Test
     void aSceneIsOpenedWithItsFacts() {
-        String facts = session.open("x.yaml", SCENE, "", "", 0);
+        String facts = session.open("x.yaml", SCENE, "", "", 0, "");
         assertHas(facts, "\"title\":\"A \\\"spring\\\"\"");
         // omega = 10 rad/s and RK4's limit on the imaginary axis is 2.8284
         assertHas(facts, "\"limit\":0.2828");
-        assertHas(new Session(ClassNames.none()).open("x.yaml", SCENE, "euler", "", 0), "\"limit\":0.0");
+        assertHas(new Session(ClassNames.none()).open("x.yaml", SCENE, "euler", "", 0, ""), "\"limit\":0.0");
         assertEquals("[\"wall\",\"bob\"]", session.ids());
         float forever = Float.POSITIVE_INFINITY;
         assertArrayEquals(new float[] {1, 0, forever, 0, 0, forever, 0, 1, 1, 100}, session.structure());
@@ -50,12 +50,12 @@ class SessionTest {
     @Test
     void mistakesAreTheReadersOwnLines() {
         assertEquals("{\"errors\":[\"x.yaml:3:9: unknown solver 'rk5'; did you mean 'rk4'?",
-                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", "", 0).replaceFirst("'rk4'\\?.*", "'rk4'?"));
+                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", "", 0, "").replaceFirst("'rk4'\\?.*", "'rk4'?"));
     }
 
     @Test
     void anotherSolverAndStepTakeTheSceneSPlace() {
-        session.open("x.yaml", SCENE, "euler", "0.5", 0);
+        session.open("x.yaml", SCENE, "euler", "0.5", 0, "");
         session.advance(10, 1e4);
         assertHas(session.status(), "\"steps\":2,\"evaluations\":2,");
         assertHas(session.status(), "\"over\":true");
@@ -77,14 +77,14 @@ class SessionTest {
 
     @Test
     void aBlowUpIsTold() {
-        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0);
+        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0, "");
         session.advance(100, 1e4);
         assertHas(session.status(), "\"failure\":\"euler stopped at t = ");
     }
 
     @Test
     void thePastIsSeenAgain() {
-        session.open("x.yaml", SCENE, "", "", 0);
+        session.open("x.yaml", SCENE, "", "", 0, "");
         float[] start = session.state();
         session.advance(1, 1e4);
         session.look(0.501);
@@ -166,8 +166,8 @@ class SessionTest {
             throws IOException {
         String text = Files.readString(Path.of("scenes", file));
         Session read = new Session(ClassNames.none());
-        read.open(file, text, "", "", 0);
-        session.open(file, text, "", "", 0);
+        read.open(file, text, "", "", 0, "");
+        session.open(file, text, "", "", 0, "");
         boolean acted = false;
         while (!session.status().contains("\"over\":true")) {
             for (String id : ids.split(" ")) {

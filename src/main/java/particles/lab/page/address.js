@@ -3,6 +3,7 @@ import {make} from './dom.js';
 import {pack, save, unpack} from './packing.js';
 
 export const MOST = 8000;               // characters; some mail programs and chats cut longer ones
+const TYPED = ['scene', 'solver', 'deltaT', 'set', 'time'];     // what people may read and change in it
 const PAUSE = 400;                      // milliseconds without a change, then the address is written
 
 export class Address {
@@ -14,14 +15,15 @@ export class Address {
 
   /** Opens the state of the address. @returns whether it has one that can be read */
   async read() {
-    const packed = location.hash.slice(1);
-    return packed !== '' && this.take('The part of the address after #', unpack(packed));
+    const {more, ...typed} = Object.fromEntries(new URLSearchParams(location.hash.slice(1).replace(/\+/g, '%2B')));
+    return location.hash.length > 1 && this.take('The part of the address after #', async () =>
+        ({...(more && JSON.parse(await unpack(more))), ...typed}));
   }
 
-  /** Opens the state that a text describes. @returns whether it does */
-  async take(name, text) {
+  /** Opens the state that read() gives. @returns whether it does */
+  async take(name, read) {
     try {
-      this.open(JSON.parse(await text));
+      this.open(await read());
       return true;
     } catch (error) {
       console.warn(error);
@@ -40,7 +42,10 @@ export class Address {
   async write() {
     clearTimeout(this.timer);
     const url = new URL(location.href);
-    url.hash = await pack(JSON.stringify(this.describe()));
+    const state = this.describe(), words = TYPED.filter(key => state[key]).map(key => key + '='
+        + encodeURIComponent(state[key]).replace(/%(5B|5D|3D|2C)/g, decodeURIComponent));
+    TYPED.forEach(key => { delete state[key]; });
+    url.hash = [...words, 'more=' + await pack(JSON.stringify(state))].join('&');
     const fits = url.href.length <= MOST;
     url.hash = fits ? url.hash : '';
     history.replaceState(history.state, '', url);

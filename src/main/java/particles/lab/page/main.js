@@ -56,11 +56,15 @@ function note(...parts) {
 // ---- opening scenes ----
 
 const scenes = [...document.querySelectorAll('script.scene')];
+/** A scene by its name or its number, as on the command line. */
+const nameOf = given => scenes.map(scene => scene.dataset.name)
+    .find(name => [given, given + '.yaml'].includes(name) || parseInt(name) === Number(given));
 const textOf = name => scenes.find(scene => scene.dataset.name === name)?.textContent;
 new Gallery(scenes, name => { note(''); choose(name); });
 
 /** What was chosen beside the scene's text; what the text says of it later goes before it again. */
-let chosen = {solver: '', deltaT: '', tolerance: 0};
+const AS_IN_TEXT = {solver: '', deltaT: '', tolerance: 0, set: ''};
+let chosen = AS_IN_TEXT;
 let text = '', good = null;             // good: the settings of the scene that runs
 let wanted = null;                      // the state that is being opened
 const known = location.hash ? [] : OPENING;            // what the engine would answer to the first that is opened
@@ -77,14 +81,14 @@ function openText(newText, settings = {}) {
   wanted = null;
   showText(0);
   phase.forget();
-  chosen = {solver: '', deltaT: '', tolerance: 0, ...settings};
+  chosen = {...AS_IN_TEXT, ...settings};
   open(!STILL.matches);
 }
 
 /** The state of the page; what is as in the page's own scene is left out. */
 function describe() {
   const scene = $('scene').value;
-  return {scene, ...(text !== textOf(scene) && {text}), ...chosen, time: player.playing ? 0 : player.frame?.time,
+  return {scene: scene.replace('.yaml', ''), ...(text !== textOf(scene) && {text}), ...chosen, time: player.playing ? 0 : player.frame?.time,
     panels: panels.describe(), equalWork: $('equalWork').checked, camera: view.camera?.describe(),
     ...phase.describe(), ...(lecture.on && {lecture: lecture.slide})};
 }
@@ -97,16 +101,16 @@ function beforeLecture() {
 
 /** Goes to a state that this or another page has described. */
 function openState(state) {
-  const own = textOf(state.scene);
+  const name = nameOf(state.scene), own = textOf(name);
   if (typeof (state.text ?? own) !== 'string') {
     throw new Error('no scene');
   }
-  $('scene').value = own === undefined ? $('scene').value : state.scene;
+  $('scene').value = name ?? $('scene').value;
   $('equalWork').checked = Boolean(state.equalWork);
   panels.set((state.panels ?? []).map(({solver, deltaT, text}) => ({solver: String(solver), deltaT: String(deltaT),
     ...(text !== undefined && {text: String(text)})})));
   openText(state.text ?? own, {solver: String(state.solver ?? ''), deltaT: String(state.deltaT ?? ''),
-    tolerance: Number(state.tolerance) || 0});
+    tolerance: Number(state.tolerance) || 0, set: String(state.set ?? '')});
   wanted = state;
   lecture.show(Number(state.lecture ?? -1));
   player.autoplay &&= !(state.time > 0);
@@ -145,8 +149,9 @@ function opened(message) {
     return;
   }
   const errors = message.facts.errors ?? [];
-  if (errors.length && good?.text === text && good.solver === chosen.solver && good.deltaT !== chosen.deltaT) {
-    chosen = {...chosen, deltaT: good.deltaT};
+  if (errors.length && good?.text === text && good.solver === chosen.solver
+      && (good.deltaT !== chosen.deltaT || good.set !== chosen.set)) {
+    chosen = {...chosen, deltaT: good.deltaT, set: good.set};
     settings.refuse(errors);
     player.startIfWanted();
     return;
@@ -174,7 +179,7 @@ function opened(message) {
   if (facts.remarks.length) {
     note(facts.remarks.join('; '));
   }
-  settings.show(facts, chosen.tolerance);
+  settings.show(facts, chosen);
   setTimeout(() => message.run === player.run && facts === message.facts      // the picture comes first
     && showNumbers(0, [], facts));
   inspector.start();
@@ -388,7 +393,7 @@ $('open').onchange = async () => {
   if (file) {
     note('');
     panels.forgetTexts();
-    file.name.endsWith('.json') ? address.take(file.name, content) : openText(content);
+    file.name.endsWith('.json') ? address.take(file.name, () => JSON.parse(content)) : openText(content);
   }
 };
 

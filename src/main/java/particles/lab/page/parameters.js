@@ -62,11 +62,12 @@ export class Parameters {
 
 /** Numbers with the same key, owner and value are one parameter: all masses of a bag of equal balls. */
 function parametersOf(numbers, lines) {
-  const byPlace = new Map(numbers.map(number => [number.line + ':' + number.column, number]));
+  const isSet = numbers.some(({line, key}) => line < 1 && / of 'acceleration'/.test(key));        // beside the text
+  const byPlace = new Map(numbers.filter(({line}) => line > 0).map(number => [number.line + ':' + number.column, number]));
   const groups = new Map(), gravity = [];
   lines.forEach((text, i) => {
     const [all, before, written, value] = GRAVITY.exec(text) ?? [];
-    if (all) {
+    if (all && !isSet) {
       gravity.push(i + 1);
       groups.set('gravity', {label: 'gravity', value: value === undefined ? 9.81 : -value, unit: 'm/s²', least: -20,
         most: 20, spans: [span(i + 1, before.length, written.length)],
@@ -76,7 +77,7 @@ function parametersOf(numbers, lines) {
   for (const number of byPlace.values()) {
     const {section, id, owner} = ownerOf(lines, number), key = number.key.replace(/'/g, '');
     const vector = / of /.test(key);
-    if (number.line < 1 || gravity.includes(number.line) || NOT_BEHAVIOUR.test(section)
+    if (gravity.includes(number.line) || NOT_BEHAVIOUR.test(section)
         || number.unit === 'm' && key !== 'wavelength' || vector && (number.value === 0 || number.unit === '')) {
       continue;
     }

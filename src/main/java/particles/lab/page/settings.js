@@ -9,6 +9,7 @@ export class Settings {
     $('solver').onchange = () => changed({solver: $('solver').value, tolerance: 0});
     $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
     typed.onchange = () => changed({deltaT: typed.value.trim()});
+    $('set').onchange = () => changed({set: $('set').value});
     slider.oninput = () => {
       typed.value = few(10 ** slider.value, 2);
       this.showStability(Number(typed.value));
@@ -22,12 +23,13 @@ export class Settings {
     $('solver').append(...solvers.map(one => new Option(one.name)));
   }
 
-  show(facts, tolerance) {
+  show(facts, {tolerance, set}) {
     this.facts = facts;
     const solver = this.solvers.find(one => one.name === facts.solver), limit = facts.limit;
     const slider = $('deltaT');
     $('solver').value = facts.solver;
     $('tolerance').value = tolerance;
+    $('set').value = set;
     $('sentence').textContent = solver?.sentence ?? 'A solver of your own.';
     $('toleranceLabel').hidden = !solver?.adaptive;
     $('deltaTNumber').value = facts.deltaT;
@@ -49,11 +51,15 @@ export class Settings {
     this.stability.show(this.facts, deltaT);
   }
 
-  /** Says beside the field why what was typed is not taken; the last valid one is shown again. */
+  /** Says beside each field why what was typed is not taken; the last valid deltaT is shown again. */
   refuse(lines) {
-    $('deltaTError').textContent = lines.join('\n').replace(/^deltaT: /gm, '');
-    $('deltaTNumber').setAttribute('aria-invalid', lines.length > 0);
-    if (lines.length) {
+    const [wrong] = ['deltaT', 'set'].map(key => {
+      const its = lines.filter(line => line.startsWith(key));
+      $(key + 'Error').textContent = its.map(line => line.replace(/^\w+:? /, '')).join('\n');
+      $(key === 'set' ? key : 'deltaTNumber').setAttribute('aria-invalid', its.length > 0);
+      return its.length > 0;
+    });
+    if (wrong) {
       $('deltaTNumber').value = this.facts.deltaT;
       $('deltaT').value = Math.log10(this.facts.deltaT);
       this.showStability(this.facts.deltaT);

@@ -43,7 +43,8 @@ function guarded(work) {
 /** Puts a scene at its start, unless it has errors. */
 function start(message) {
   playing = false;
-  const facts = JSON.parse(engine.open(message.file, message.text, message.solver, message.deltaT, message.tolerance));
+  const facts = JSON.parse(engine.open(message.file, message.text, message.solver, message.deltaT, message.tolerance,
+      message.set));
   if (!facts.errors) {
     file = message;
     knownStructure = null;
