@@ -108,7 +108,7 @@ class ArchitectureTest {
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
                                            deSolvers.text particles particles.effects.springs particles.experiments.runs
                                            particles.experiments.stability particles.law particles.scene particles.view
-            particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
+            particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.energy particles.experiments.stability
                                            particles.law particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view org.teavm

@@ -38,11 +38,11 @@ class LabPlayTest extends LabPageTestCase {
         // of rk4's phase, (omega h)^4 / 120 is wrong: 6e-6 of 20
         assertEquals(Math.cos(Math.sqrt(stiffness) * 4 * Math.PI), value("state[6]"), 4e-5);
         page.openScene("01-falling-particle");
-        double gravity = slide("gravity", 0.54);                // from -20 to 20
-        assertEquals(1.6, gravity);
-        until("scene().includes('- gravity: {acceleration: [0, -1.6, 0]}')");
+        double gravity = slide("gravity", 0.53);                // from -25 to 25
+        assertEquals(1.5, gravity);
+        until("scene().includes('- gravity: {acceleration: [0, -1.5, 0]}')");
         runToTheEnd();
-        assertEquals(7 * 1.5 - 1.6 / 2 * 1.5 * 1.5, value("state[1]"), 1e-6);
+        assertEquals(7 * 1.5 - 1.5 / 2 * 1.5 * 1.5, value("state[1]"), 1e-6);
         assertEquals(0, slide("gravity", 0.5));
         page.openScene("49-creeping-worm");
         assertEquals(0.25, slide("amplitude", 0.25));           // from 0 to 1, of all muscles together
@@ -227,5 +227,47 @@ class LabPlayTest extends LabPageTestCase {
                     done(Object.keys(right).filter(name => !right[name]));
                   });
                 """));
+    }
+
+    @Test
+    void theEquationsOfTheScenesForcesAreTypesetWithTheirNumbers() {
+        page.openScene("05-hanging-chain");
+        assertEquals(List.of("springs", "gravity", "drag", "rk4"), page.script(
+                "return [...document.querySelectorAll('#equations h3')].map(one => one.textContent);"));
+        assertEquals(List.of("F = m g", "acceleration = (0, -9.81, 0) m/s^2"), page.script("""
+                const head = [...document.querySelectorAll('#equations h3')].find(one => one.textContent === 'gravity');
+                const [formula, numbers] = [head.nextSibling, head.nextSibling.nextSibling];
+                return [formula.querySelector('math').textContent, numbers.textContent];
+                """));
+        until("element('equations').textContent.includes('k = 1000 N/m, l = 0.08333 m')");
+        until("document.querySelector('#equations msub').textContent === 'xj'");
+        until("document.querySelector('#equations pre').textContent.includes('| 1/6  1/3  1/3  1/6')");
+        page.choose("solver", "verlet");
+        until("document.querySelector('#equations pre').textContent.startsWith('v(t + h/2) = v(t) + h/2 a(')");
+    }
+
+    @Test
+    void gravityIsChosenByItsPlaceAndEnergiesOfTheMomentAreBars() {
+        page.openScene("01-falling-particle");
+        for (String place : List.of("24.79", "0", "1.62")) {
+            page.script("""
+                    window.before = window.lab.view.facts;
+                    const list = document.querySelector('#parameters select'); list.value = arguments[0];
+                    list.dispatchEvent(new Event('change'));
+                    """, place);
+            until("view.facts !== window.before && document.querySelector('#parameters select').value === '" + place
+                    + "'");
+        }
+        until("scene().includes('- gravity: {acceleration: [0, -1.62, 0]}')");
+        runToTheEnd();
+        // 58/2 J of motion at the start; at the end v_y = 7 - 1.62 1.5, and its loss is gravity's gain
+        double kinetic = (9 + Math.pow(7 - 1.62 * 1.5, 2)) / 2;
+        until("element('bars').textContent === 'total 29 Jkinetic " + String.format("%.1f", kinetic) + " Jgravity "
+                + String.format("%.1f", 29 - kinetic) + " J'");
+        assertEquals(kinetic / 29, value("document.querySelectorAll('#bars span')[1].offsetWidth"
+                + " / element('bars').offsetWidth"), 0.005);
+        page.script("const time = document.getElementById('time'); time.value = 0;"
+                + " time.dispatchEvent(new Event('input'));");
+        until("element('bars').textContent === 'total 29 Jkinetic 29 Jgravity 0 J'");
     }
 }

@@ -17,8 +17,11 @@ import particles.spec.Values;
  * where u is the velocity of the air. The effect {@code wind} has no force of its own: it acts through drag, which can
  * then drive particles. As a {@link particles.law.PerParticleEffect} it adds the forces on the particles {@code from}
  * to {@code to - 1}: on all, or on the part of one thread.
- *
- * <p>Linear (viscous) drag has k = c. Quadratic drag, as on a thrown ball, has k = c |w| with c = rho A
+ * <pre>
+ *   drag:           F = -c w
+ *   quadraticDrag:  F = -c |w| w
+ * </pre>
+ * Linear (viscous) drag has k = c. Quadratic drag, as on a thrown ball, has k = c |w| with c = rho A
  * C<sub>d</sub>/2, half the air's density times cross-section times drag coefficient; from rest under gravity v =
  * v<sub>t</sub> tanh(g t/v<sub>t</sub>) with the terminal speed v<sub>t</sub> = sqrt(m g/c). Its derivative is
  * continuous at w = 0, its second derivative is not.

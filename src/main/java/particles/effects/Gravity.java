@@ -10,9 +10,11 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * Uniform gravity, the slides' "gravitational acceleration rule": F = m g on every particle.
- *
- * <p>Potential energy -m g . x, zero at the origin. Source: COMPSCI 715 (2003), slides "A Particle System" and
+ * Uniform gravity, the slides' "gravitational acceleration rule", on every particle
+ * <pre>
+ *   F = m g
+ * </pre>
+ * Potential energy -m g . x, zero at the origin. Source: COMPSCI 715 (2003), slides "A Particle System" and
  * "Mass-Spring System (cont'd)".
  */
 public final class Gravity implements ConstantForce, DifferentiableEffect {

@@ -9,8 +9,12 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * Uniform wind that varies as a sine in time: u(t) = mean + gust sin(2 pi t / period). With gust 0 it is steady. The
- * slides: "In mass-spring systems, often no t dependence but might have e.g. time-varying wind field."
+ * Uniform wind that varies as a sine in time,
+ * <pre>
+ *   u(t) = mean + gust sin(2 pi t / period)
+ * </pre>
+ * With gust 0 it is steady. The slides: "In mass-spring systems, often no t dependence but might have e.g. time-varying
+ * wind field."
  */
 public final class GustyWind implements Wind {
     private final Vector3 mean;

@@ -19,7 +19,12 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 import particles.spec.messages.InvalidInputException;
 
-/** How scenes name {@link Muscles}. */
+/**
+ * How scenes name {@link Muscles}, with the wave that runs along a body:
+ * <pre>
+ *   l(t) = l (1 + a sin(2 pi (t/T - s/lambda + phase)))
+ * </pre>
+ */
 final class MuscleKeys extends EffectKind {
     private static final Key<String> FROM = SharedKeys.PARTICLE.required("from", "The particle where it begins.");
     private static final Key<String> TO = SharedKeys.PARTICLE.required("to", "The particle where it ends.");

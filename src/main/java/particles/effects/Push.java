@@ -15,8 +15,11 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A constant force F on some particles, the same for any mass. Potential energy -F . x on each of them, zero at the
- * origin.
+ * A constant force on some particles, the same for any mass:
+ * <pre>
+ *   F = constant
+ * </pre>
+ * Potential energy -F . x on each of them, zero at the origin.
  */
 public final class Push implements ConstantForce, DifferentiableEffect {
     private final Particles particles;

@@ -26,9 +26,9 @@ public final class PageParts {
     private static final String BETWEEN_LICENCES = "\n----\n\n";
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
-    private static final List<String> OWN_MODULES = List.of("dom", "packing", "address", "gallery", "keys", "camera",
+    private static final List<String> OWN_MODULES = List.of("dom", "equations", "packing", "address", "gallery", "keys", "camera",
             "sky", "blobs", "glow", "marks", "opening", "structure", "tubes", "scenery", "surface", "trails", "view",
-            "plots", "editor", "parameters", "saving", "settings", "panels", "phase", "nearest", "player", "stability",
+            "plots", "bars", "editor", "parameters", "saving", "settings", "panels", "phase", "nearest", "player", "stability",
             "tables", "words", "hand", "inspector", "lecture", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
@@ -53,7 +53,8 @@ public final class PageParts {
                 "style", read(UPLOT + "dist/uPlot.min.css", CODEMIRROR + "lib/codemirror.css", OWN + "lab.css"),
                 "engine", script(" type=\"text/plain\" id=\"engine\"", packed(engine + own("worker.js"))),
                 "scenes", scenes,
-                "stations", script(" type=\"application/json\" id=\"stations\"", own("stations.json")),
+                "stations", script(" type=\"application/json\" id=\"stations\"", own("stations.json"))
+                        + script(" type=\"application/json\" id=\"formulas\"", Formulas.all()),
                 "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
                         + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
                 "modules", modules(),
@@ -111,7 +112,7 @@ public final class PageParts {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
     }
 
-    private static String read(String... resources) throws IOException {
+    static String read(String... resources) throws IOException {
         StringBuilder text = new StringBuilder();
         for (String resource : resources) {
             try (InputStream stream = PageParts.class.getClassLoader().getResourceAsStream(resource)) {

@@ -5,12 +5,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import particles.effects.EffectKind;
 import particles.effects.springs.SpringRates;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonText;
+import particles.spec.Key;
+import particles.spec.Kind.Chosen;
+import particles.spec.NumberType;
+import particles.spec.VectorType;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
@@ -48,6 +53,7 @@ final class SceneFacts {
                 "surfaces", scenery.surfaces().stream().map(surface -> Map.of("triangles", surface.triangles(),
                 "ofSprings", surface.ofSprings())).toList(),
                 "remarks", description.remarks(),
+                "laws", description.values().get(SceneFormat.EFFECTS).stream().map(SceneFacts::law).toList(),
                 "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.drawing().camera().ifPresent(camera -> facts.put("camera", Map.of(
                 "position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),
@@ -55,6 +61,20 @@ final class SceneFacts {
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
+    }
+
+    /** The name of an effect and its numbers: the key, the value and the unit of each. */
+    private static Map<String, Object> law(Chosen<EffectKind> effect) {
+        List<List<Object>> numbers = new ArrayList<>();
+        for (Key<?> key : effect.kind().getKeys()) {
+            Object value = effect.values().find(key).orElse(null);
+            if (key.type() instanceof NumberType type && value != null) {
+                numbers.add(List.of(key.name(), value, type.unit()));
+            } else if (key.type() instanceof VectorType type && value != null) {
+                numbers.add(List.of(key.name(), vector((Vector3) value), type.component().unit()));
+            }
+        }
+        return Map.of("name", effect.kind().getName(), "numbers", numbers);
     }
 
     /** The longest stable step (s), by the springs of the scene; NaN if it is not known or there is none. */

@@ -1,6 +1,8 @@
 // Ties the page together: what is chosen goes to the worker that runs the compiled classes, what it tells is shown.
 import {Address} from './address.js';
+import {showBars} from './bars.js';
 import {$} from './dom.js';
+import {showEquations} from './equations.js';
 import {Gallery} from './gallery.js';
 import {listen, toggleFullScreen} from './keys.js';
 import {save} from './packing.js';
@@ -256,6 +258,7 @@ function shown(message) {
   if (isNew) {
     view.draw();                        // before lists and plots, which take as long again
     phase.start(facts, structure, wanted, good);
+    showEquations(facts, structure);
     wanted = null;
     startNearest();
   } else if (message.structure) {
@@ -425,6 +428,7 @@ function draw(now = 0) {
   if (now - plotted > PLOT_INTERVAL) {
     plotted = now;
     plots.forEach(plot => plot.draw());
+    structure && showBars(energy, player.frame.time);
     tables.forEach(table => player.playing && table.draw(now));
   }
   requestAnimationFrame(draw);

@@ -4,6 +4,7 @@ import {$, few, make} from './dom.js';
 const MOST = 20, STEPS = 200, FACTOR = 20, HUGE = 1e29;
 const NOT_BEHAVIOUR = /^(camera|look|output|solver|deltaT|duration|blowUpFactor|constraints)$/;
 const GRAVITY = /^(\s*-\s*)(gravity(?:: *\{acceleration: *\[0(?:\.0)?, *([-+.\de]+), *0(?:\.0)?\]\})?)(?=\s*(#|$))/;
+const PLACES = {'another place': '', Earth: 9.81, Moon: 1.62, Jupiter: 24.79, 'no gravity': 0};       // m/s^2
 const digits = value => few(value, 3);
 
 export class Parameters {
@@ -35,7 +36,7 @@ export class Parameters {
       this.sliders.forEach((slider, i) => Object.assign(slider, found[i]));
     } else {
       this.sliders = found;
-      $('parameters').replaceChildren(...found.map(slider => this.row(slider)));
+      $('parameters').replaceChildren(...found.flatMap(slider => this.row(slider)));
     }
     this.sliders.forEach(slider => slider.tell());
     $('parameterSection').hidden = !found.length;
@@ -45,18 +46,28 @@ export class Parameters {
     const label = make('label'), input = make('input', {type: 'range', min: 0, max: STEPS, step: 1});
     const output = make('output');
     slider.tell = () => {
-      const {range, unit} = slider, text = digits(slider.value) + ' ' + unit;
+      const {range, unit, value} = slider, text = digits(value) + ' ' + unit;
+      slider.place && (slider.place.value = Object.values(PLACES).includes(value) ? value : '');
       input.value = STEPS * range.part(slider.value);
       input.setAttribute('aria-valuetext', text);
       output.textContent = text;
     };
-    input.oninput = () => {
-      slider.value = Number(digits(slider.range.value(input.value / STEPS)));
-      output.textContent = digits(slider.value) + ' ' + slider.unit;
-      this.editor.write(slider.places, (slider.write ?? String)(slider.value));
+    input.oninput = () => slider.take(Number(digits(slider.range.value(input.value / STEPS))));
+    slider.take = value => {
+      slider.value = value;
+      output.textContent = digits(value) + ' ' + slider.unit;
+      this.editor.write(slider.places, (slider.write ?? String)(value));
     };
     label.append(slider.label, input, output);           // a label names the first control in it
-    return label;
+    return slider.write ? [label, this.places(slider)] : [label];
+  }
+
+  /** The gravity of well-known places. */
+  places(slider) {
+    slider.place = make('select', {ariaLabel: 'Gravity of', onchange: ({target: {value}}) => slider.take(Number(value))});
+    slider.place.append(...Object.entries(PLACES).map(([name, value]) => new Option(name, value)));
+    slider.place.options[0].disabled = true;
+    return slider.place;
   }
 }
 
@@ -69,8 +80,8 @@ function parametersOf(numbers, lines) {
     const [all, before, written, value] = GRAVITY.exec(text) ?? [];
     if (all && !isSet) {
       gravity.push(i + 1);
-      groups.set('gravity', {label: 'gravity', value: value === undefined ? 9.81 : -value, unit: 'm/s²', least: -20,
-        most: 20, spans: [span(i + 1, before.length, written.length)],
+      groups.set('gravity', {label: 'gravity', value: value === undefined ? 9.81 : -value, unit: 'm/s²', least: -25,
+        most: 25, spans: [span(i + 1, before.length, written.length)],
         write: g => `gravity: {acceleration: [0, ${g ? -g : 0}, 0]}`});
     }
   });

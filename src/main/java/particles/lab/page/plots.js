@@ -25,7 +25,7 @@ const axes = (x, y) => [x, y].map((label, i) => ({label,
 const isMoving = u => u.data.some(one => (one?.[0]?.length ?? one?.length) > 1);
 const size = element => ({width: Math.max(240, element.clientWidth),
   height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
-const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
+export const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
 /** The value at the cursor or, where there is none, the latest. */
 const latest = (u, value, series) => (value ?? u.data[series][u.data[series].length - 1])?.toPrecision(4) ?? '';
 

@@ -1,0 +1,32 @@
+// The equations of the forces that a scene names, typeset, with their numbers; and the solver's formula.
+import {$, few, make} from './dom.js';
+
+const FORMULAS = JSON.parse($('formulas').textContent);         // by name, as in the javadoc of the classes
+const SIGNS = {'.': '\u22c5', '-': '\u2212', '<': '&lt;', pi: '\u03c0', mu: '\u03bc', lambda: '\u03bb'};
+const TOKEN = / {2,}|[A-Za-z]{2,}(?: [A-Za-z]{2,})+|([A-Za-z]+\d?'?|\d[\d.]*|[^\s\w])(?:_(\w+))?(?:\^(\w+|\([^)]*\)))?/g;
+const tag = (name, content) => `<${name}>${content}</${name}>`;
+const atom = text => tag(/^\d/.test(text) ? 'mn' : /^\w/.test(text) ? 'mi' : 'mo', SIGNS[text] ?? text);
+
+/** A line of text as MathML: a_b is an index, a^b a power, two spaces a gap. */
+const typeset = line => '<math>' + line.replace(TOKEN, (all, base, sub, sup) => base === undefined
+    ? tag('mtext', all.replace(/^ +$|^|$/g, '&nbsp;&nbsp;'))
+    : tag('m' + (sub ? 'sub' : '') + (sup ? 'sup' : '') + (sub || sup ? '' : 'row'),
+        atom(base) + [sub, sup].filter(part => part).map(part => tag('mtext', part)).join(''))) + '</math>';
+
+const shown = value => Array.isArray(value) ? '(' + value.map(one => few(one)).join(', ') + ')' : few(value);
+
+/** The smallest and the largest number, if they differ. */
+const span = numbers => [...new Set([Math.min(...numbers), Math.max(...numbers)])].map(one => few(one)).join(' to ');
+
+/** solver: its name; laws: those that the scene names; structure: the particles and springs */
+export function showEquations({solver, laws}, {stiffness, restLengths}) {
+  const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity), of = column => springs.map(s => column[s]);
+  const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
+    'l = ' + span(of(restLengths)) + ' m']}] : []), ...laws.map(({name, numbers}) => ({name,
+    lines: numbers.map(([key, value, unit]) => key + ' = ' + shown(value) + ' ' + unit)}))];
+  $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
+    make('h3', {textContent: name}),
+    ...FORMULAS[name].split('\n').map(line => make('p', {innerHTML: typeset(line.trim())})),
+    make('p', {className: 'soft', textContent: lines.join(', ')})]),
+    ...(FORMULAS[solver] ? [make('h3', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
+}
