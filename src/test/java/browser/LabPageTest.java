@@ -283,4 +283,27 @@ class LabPageTest extends LabPageTestCase {
         }
         assertFalse(text.contains("src=\"http") || text.contains("import(\"http"), "it loads something from elsewhere");
     }
+
+    /** Worms, a caterpillar, a walker, a page, and bodies that orbit: all are dragged by the particle that is seen. */
+    @ParameterizedTest
+    @ValueSource(strings = {"49-creeping-worm", "50-serpent", "51-caterpillar", "52-walker", "53-turning-page",
+            "54-three-bodies", "55-magnetic-bottle", "56-four-masses"})
+    void creaturesFollowTheMouse(String scene) {
+        page.openScene(scene);
+        until("view.moment && view.structure");
+        int seen = (int) value("""
+                view.structure.ids.findIndex((id, i) => {
+                  const {left, top, width, height} = element('view').getBoundingClientRect();
+                  const [x, y] = view.onScreen(i) ?? [-1, -1];
+                  return x > 30 && y > 90 && x < width - 30 && y < height - 30
+                    && view.nearest({clientX: left + Math.floor(x), clientY: top + Math.floor(y)}, 14) === i;
+                })""");
+        hold(Kind.MOUSE, seen).moveByOffset(0, -60).perform();
+        page.await("the pull's work", () -> page.text("work").matches("(?s).*pointer \\(driven\\): -?[0-9].*"));
+        until("(([x, y], [a, b]) => Math.hypot(x - a, y - b))(view.onScreen(" + seen
+                + "), view.camera.placeOf(view.pull.point)) < 42");
+        page.driver().resetInputState();        // lets go
+        until("!view.pull && number('steps') > 0");
+        assertEquals("", page.text("message"));
+    }
 }

@@ -55,27 +55,12 @@ export class Address {
   /** A link that others cannot use, or none, comes with a file in its place. */
   async copy() {
     const link = await this.write(), isLocal = location.protocol === 'file:';
-    const done = link === null ? 'This scene is too long for a link.' : await copied(link)
-        ? 'The link is in the clipboard.' : 'The link is in the address bar; copy it there.';
+    const done = link === null ? 'This scene is too long for a link.'
+        : await navigator.clipboard?.writeText(link).then(() => 'The link is in the clipboard.', () => null)
+        ?? 'The link is in the address bar; copy it there.';
     const file = make('button', {type: 'button', textContent: 'Save lab.json', onclick: () => save('lab.json',
         new Blob([JSON.stringify(this.describe())], {type: 'application/json'}))});
     this.tell(done, ...(link !== null && !isLocal ? [] : [isLocal ? ' This page is a file, so links work on this '
         + 'machine alone. ' : ' ', 'Send a file instead, which "Open" above the scene\'s text opens: ', file]));
-  }
-}
-
-/** The newer way needs https or a file and a page in front; the older one does not. */
-async function copied(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    const field = document.createElement('textarea');
-    field.value = text;
-    document.body.append(field);
-    field.select();
-    const done = document.execCommand('copy');
-    field.remove();
-    return done;
   }
 }

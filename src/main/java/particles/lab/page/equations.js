@@ -2,16 +2,17 @@
 import {$, few, make} from './dom.js';
 
 const FORMULAS = JSON.parse($('formulas').textContent);         // by name, as in the javadoc of the classes
-const SIGNS = {'.': '\u22c5', '-': '\u2212', '<': '&lt;', pi: '\u03c0', mu: '\u03bc', lambda: '\u03bb'};
-const TOKEN = / {2,}|[A-Za-z]{2,}(?: [A-Za-z]{2,})+|([A-Za-z]+\d?'?|\d[\d.]*|[^\s\w])(?:_(\w+))?(?:\^(\w+|\([^)]*\)))?/g;
-const tag = (name, content) => `<${name}>${content}</${name}>`;
-const atom = text => tag(/^\d/.test(text) ? 'mn' : /^\w/.test(text) ? 'mi' : 'mo', SIGNS[text] ?? text);
+const SIGNS = {'.': '\u22c5', '-': '\u2212', "'": '\u2032', '<': '&lt;', pi: '\u03c0', mu: '\u03bc', lambda: '\u03bb'};
+const WORDS = /[A-Za-z]{2,}(?: [A-Za-z]{2,})+/, ATOM = /([A-Za-z]+|\d[\d.]*|[^\s\w])(?:_(\w+))?(?:\^(\w+|\([^)]*\)))?/;
+const TOKEN = RegExp(WORDS.source + '|' + ATOM.source, 'g');
+const tag = (name, content, more = '') => `<${name}${more}>${content}</${name}>`;
+const atom = text => /^\w/.test(text) ? tag(/^\d/.test(text) ? 'mn' : 'mi', SIGNS[text] ?? text)
+    : tag('mo', SIGNS[text] ?? text, ' stretchy="false"' + (text === '|' ? ' lspace="0" rspace="0"' : ''));
 
-/** A line of text as MathML: a_b is an index, a^b a power, two spaces a gap. */
-const typeset = line => '<math>' + line.replace(TOKEN, (all, base, sub, sup) => base === undefined
-    ? tag('mtext', all.replace(/^ +$|^|$/g, '&nbsp;&nbsp;'))
+/** A part of a line of text as MathML: a_b is an index, a^b a power. */
+const typeset = part => tag('math', part.replace(TOKEN, (all, base, sub, sup) => base === undefined ? tag('mtext', all)
     : tag('m' + (sub ? 'sub' : '') + (sup ? 'sup' : '') + (sub || sup ? '' : 'row'),
-        atom(base) + [sub, sup].filter(part => part).map(part => tag('mtext', part)).join(''))) + '</math>';
+        atom(base) + [sub, sup].filter(one => one).map(one => tag('mtext', one)).join(''))));
 
 const shown = value => Array.isArray(value) ? '(' + value.map(one => few(one)).join(', ') + ')' : few(value);
 
@@ -23,10 +24,11 @@ export function showEquations({solver, laws}, {stiffness, restLengths}) {
   const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity), of = column => springs.map(s => column[s]);
   const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
     'l = ' + span(of(restLengths)) + ' m']}] : []), ...laws.map(({name, numbers}) => ({name,
-    lines: numbers.map(([key, value, unit]) => key + ' = ' + shown(value) + ' ' + unit)}))];
+    lines: numbers.map(([key, value, unit]) => `${key} = ${shown(value)} ${unit.replace('^2', '²')}`)}))];
   $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
     make('h3', {textContent: name}),
-    ...FORMULAS[name].split('\n').map(line => make('p', {innerHTML: typeset(line.trim())})),
+    ...FORMULAS[name].split('\n').map(line => make('p',
+        {innerHTML: line.trim().split(/ {2,}/).map(typeset).join(' &emsp;')})),
     make('p', {className: 'soft', textContent: lines.join(', ')})]),
     ...(FORMULAS[solver] ? [make('h3', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
 }
