@@ -38,7 +38,7 @@ class ArchitectureTest {
                                            deSolvers.multistep deSolvers.symplectic deSolvers.text
             deSolvers.extrapolation:       deSolvers deSolvers.adaptive
             deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text org.ejml
-            deSolvers.linear:
+            deSolvers.linear:              org.ejml
             deSolvers.multistep:           deSolvers
             deSolvers.problems:            deSolvers org.hipparchus
             deSolvers.rungeKutta:          deSolvers
@@ -129,7 +129,8 @@ class ArchitectureTest {
                                            particles.output.files particles.view javax.imageio com.samskivert
             particles.output.usd:          particles.law particles.output.files particles.output.frames
                                            particles.output.painters particles.output.raster particles.view
-            particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
+            particles.reactions:           deSolvers deSolvers.linear deSolvers.text particles particles.law
+                                           particles.view
             particles.rules:               deSolvers.text particles particles.effects.neighbours
                                            particles.effects.springs particles.law particles.reactions particles.view
             particles.scene:               deSolvers deSolvers.catalog deSolvers.text particles particles.effects

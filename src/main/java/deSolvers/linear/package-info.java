@@ -1,8 +1,13 @@
 /**
- * Linear systems A x = b for the implicit solvers. {@link deSolvers.linear.BlockSolver} solves those with a sparse
+ * Linear systems A x = b. {@link deSolvers.linear.BlockSolver} solves those of the implicit solvers with a sparse
  * matrix of 3 x 3 blocks, one for each pair of particles that act on each other: by conjugate gradients where it is
  * symmetric positive definite, by GMRES otherwise, both preconditioned by the inverses of its diagonal blocks; an
  * ill-conditioned matrix is factorised. EJML solves the systems with a full matrix.
+ *
+ * <p>Those of constraint forces have one entry, not a block, for each pair of rods or contacts that share a particle,
+ * and rows come and go with contacts: {@link deSolvers.linear.EnvelopeMatrix} factorises the active rows of a matrix
+ * whose entries lie near the diagonal, without fill-in; {@link deSolvers.linear.MinimumNormSolution} serves where rows
+ * are dependent.
  *
  * <h2>The sparse factorisation</h2>
  * Eliminating a row of a sparse matrix makes new entries, the <i>fill-in</i>: all later rows that it touches then touch

@@ -1,5 +1,7 @@
 package particles.reactions;
 
+import deSolvers.linear.EnvelopeMatrix;
+import deSolvers.linear.MinimumNormSolution;
 import java.util.Arrays;
 
 /**
@@ -17,29 +19,6 @@ import java.util.Arrays;
  * this search always ends.
  */
 final class ActiveSetMethod {
-    private static final double ROUNDING = 1e-10;
-    /**
-     * Pivots below this fraction of a diagonal entry (by QR, of the largest entry of R) are round-off: rows within an
-     * angle of 3e-6 of being dependent. With uneven masses, independent rows can be at smaller angles, so the limit is
-     * lower.
-     */
-    private static final double SINGULAR = 1e-11;
-    /** The smallest such fraction, however much masses differ. */
-    private static final double LOST = 1e-14;
-    /** Round-off of accelerations, relative to the largest entry of b, where all masses are equal. */
-    private static final double NOISE = 0x1p-49;
-    /** Above this noise, dependent rows cannot be told from independent ones. */
-    private static final double MOST_NOISE = NOISE * ConstraintCorrection.MOST_UNEVEN;
-    /** The residual of good factors, relative to the largest entry of b. */
-    private static final double ACCURATE = 1e-12;
-
-    /** Active contacts contradict each other if the residual is above this fraction of the largest entry of b. */
-    private static final double CONTRADICTION = 1e-9;
-    /** How much the diagonal of elastic contacts grows. */
-    private static final double SOFT = 1e-9;
-    /** The largest error of an elastic contact, relative to the largest entry of b: more is a jam. */
-    private static final double YIELDING = 1e-4;
-
     private final MinimumNormSolution dense = new MinimumNormSolution();
     private EnvelopeMatrix a;                           // the problem, as given to solve
     private double[] b;
@@ -53,13 +32,13 @@ final class ActiveSetMethod {
     private double left;
     private boolean regular;
     private boolean dependent;
-    private double singular = SINGULAR;
-    private double noise = NOISE;
+    private double singular = Tolerances.SINGULAR;
+    private double noise = Tolerances.NOISE;
 
     /** Sets the ratio of the largest mass to the smallest; round-off of forces grows with it. */
     void setMassRatio(double ratio) {
-        singular = Math.max(SINGULAR / ratio, LOST);
-        noise = NOISE * ratio;
+        singular = Math.max(Tolerances.SINGULAR / ratio, Tolerances.MOST_SINGULAR);
+        noise = Tolerances.NOISE * ratio;
     }
 
     /** The largest residual entry of active rows, which is large if they contradict each other; 0 for round-off. */
@@ -101,7 +80,7 @@ final class ActiveSetMethod {
         for (int r = 0; r < n; r++) {
             largest = Math.max(largest, Math.abs(b[r]));
         }
-        return (search(signed) || searchElastic()) && !(dependent && noise > MOST_NOISE);
+        return (search(signed) || searchElastic()) && !(dependent && noise > Tolerances.NOISE * Tolerances.MOST_UNEVEN);
     }
 
     private boolean search(boolean signed) {
@@ -135,7 +114,7 @@ final class ActiveSetMethod {
         boolean contactsAgree = true;
         boolean rodsAgree = true;
         for (int r = 0; r < n; r++) {
-            boolean agrees = !active[r] || Math.abs(w[r]) <= Math.max(CONTRADICTION, noise) * largest;
+            boolean agrees = !active[r] || Math.abs(w[r]) <= Math.max(Tolerances.CONTRADICTION, noise) * largest;
             contactsAgree &= agrees || !contact[r];
             rodsAgree &= agrees || contact[r];
         }
@@ -147,7 +126,7 @@ final class ActiveSetMethod {
         double[] pushing = new double[n];
         for (int r = 0; r < n; r++) {
             rigid[r] = a.get(r, r);
-            a.set(r, r, rigid[r] * (contact[r] ? 1 + SOFT : 1), 0);
+            a.set(r, r, rigid[r] * (contact[r] ? 1 + Tolerances.SOFT : 1), 0);
             active[r] = rigid[r] != 0 && !contact[r];
         }
         boolean[] barred = new boolean[n];              // from being added next
@@ -179,7 +158,7 @@ final class ActiveSetMethod {
             findResidual();
         }
         for (int r = 0; r < n; r++) {
-            if (contact[r] && w[r] < -YIELDING * largest) {     // huge forces: the contacts give way to a jam
+            if (contact[r] && w[r] < -Tolerances.NO_SOLUTION * largest) {   // huge forces: contacts give way to a jam
                 return false;
             }
         }
@@ -207,7 +186,7 @@ final class ActiveSetMethod {
     private int addWorst(boolean[] barred) {
         int worst = -1;
         for (int r = 0; r < n; r++) {
-            if (contact[r] && !active[r] && !barred[r] && w[r] < (worst < 0 ? -ROUNDING * largest : w[worst])) {
+            if (contact[r] && !active[r] && !barred[r] && w[r] < (worst < 0 ? -Tolerances.PULL * largest : w[worst])) {
                 worst = r;
             }
         }
@@ -225,8 +204,8 @@ final class ActiveSetMethod {
         }
         int count = 0;
         for (int r = 0; r < n; r++) {
-            wrong[r] = contact[r] && (active[r] ? lambda[r] < -ROUNDING * force
-                    : w[r] < -Math.max(ROUNDING, noise) * largest - left);
+            wrong[r] = contact[r] && (active[r] ? lambda[r] < -Tolerances.PULL * force
+                    : w[r] < -Math.max(Tolerances.PULL, noise) * largest - left);
             count += wrong[r] ? 1 : 0;
         }
         return count;
@@ -242,7 +221,7 @@ final class ActiveSetMethod {
             a.solve(lambda);
             findResidual();
         }
-        if (regular && left <= Math.max(ACCURATE, noise) * largest) {
+        if (regular && left <= Math.max(Tolerances.RESIDUAL, noise) * largest) {
             left = 0;
         } else {
             dense.solve(a, active, b, lambda, singular);

@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import deSolvers.linear.EnvelopeMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;

@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import deSolvers.linear.EnvelopeMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -23,10 +24,6 @@ import particles.reactions.Row.Kind;
  */
 public final class BlockImpacts {
     private static final int STRIDE = Particles.STRIDE;
-    /** The largest error of speeds after an impact, relative to those before. */
-    private static final double CONTRADICTION = 1e-4;
-    /** Speeds below this are round-off, relative to those before. */
-    private static final double ROUNDING = 1e-12;
     /** After this number of rounds, and two for each row, nothing bounces any more; with r = 0.5, 20 leave 1e-6. */
     private static final int MOST_ROUNDS = 100;
     /** The largest number of iterations for friction; one is enough for particles with one contact each. */
@@ -74,7 +71,7 @@ public final class BlockImpacts {
         for (Row row : block.rows) {
             row.right = row == struck ? 1 : 0;
         }
-        return block.solve(row -> row != struck, true) && Math.abs(struck.separation) < CONTRADICTION;
+        return block.solve(row -> row != struck, true) && Math.abs(struck.separation) < Tolerances.NO_SOLUTION;
     }
 
     /**
@@ -122,7 +119,7 @@ public final class BlockImpacts {
             block.evaluate(state);
         }
         for (Row row : block.rows) {
-            if (touches(row) && row.rate > Math.max(ROUNDING * fast, Math.max(row.bounce.restSpeed(),
+            if (touches(row) && row.rate > Math.max(Tolerances.ROUNDING * fast, Math.max(row.bounce.restSpeed(),
                     inwards(row, meetings)))) {
                 modes.set(row.number, row.first, Mode.FREE);
             }
@@ -161,7 +158,7 @@ public final class BlockImpacts {
     }
 
     private static boolean isBelow(int particle, List<ContactSurface> under, double[] state) {
-        double near = ROUNDING * (1 + Vector3.at(state, STRIDE * particle).norm1());
+        double near = Tolerances.ROUNDING * (1 + Vector3.at(state, STRIDE * particle).norm1());
         return under.stream().anyMatch(surface -> surface.distance(state, particle) < -near);
     }
 
@@ -172,7 +169,8 @@ public final class BlockImpacts {
     private static boolean meets(Row[] rows, double fast) {
         boolean any = false;
         for (Row row : rows) {
-            row.meets = row.isContact() && !row.isIdle() && row.rate < -(row.stops ? CONTRADICTION : ROUNDING) * fast;
+            double slow = row.stops ? Tolerances.NO_SOLUTION : Tolerances.ROUNDING;
+            row.meets = row.isContact() && !row.isIdle() && row.rate < -slow * fast;
             any |= row.meets;
         }
         return any;
@@ -205,11 +203,11 @@ public final class BlockImpacts {
     private void strike(Block block, double fast, double[] state) {
         boolean solved = block.solve(row -> true, true);
         for (Row row : block.rows) {
-            solved &= row.isContact() || Math.abs(row.separation) <= CONTRADICTION * fast;
+            solved &= row.isContact() || Math.abs(row.separation) <= Tolerances.NO_SOLUTION * fast;
         }
         double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
                 .orElse(0);
-        if (!solved && approach > CONTRADICTION * fast) {
+        if (!solved && approach > Tolerances.NO_SOLUTION * fast) {
             throw ConstraintCorrection.areUneven(block)
                     ? block.failure(contacts.getSystem().getTime(), ConstraintCorrection.LOST) : noRoom(block);
         }
@@ -269,7 +267,7 @@ public final class BlockImpacts {
             }
         }
         double change = Double.POSITIVE_INFINITY;
-        for (int iteration = 0; change > ROUNDING * fast && iteration < MOST_ITERATIONS; iteration++) {
+        for (int iteration = 0; change > Tolerances.ROUNDING * fast && iteration < MOST_ITERATIONS; iteration++) {
             Vector3[] more = new Vector3[rows.length];
             change = 0;
             for (int r = 0; r < rows.length; r++) {

@@ -19,16 +19,6 @@ import particles.reactions.Row.Kind;
  */
 final class Blocks {
     private static final int STRIDE = Particles.STRIDE;
-    /**
-     * Rods contradict each other if the residual is above this fraction of the largest acceleration; the drift of
-     * redundant rods stays below.
-     */
-    private static final double CONTRADICTION = 1e-4;
-    /**
-     * Separations below this part of a block's largest acceleration are round-off, where balls touch: 1,000 times the
-     * pull that the active-set method tolerates, as a pile pushes harder than its balls fall.
-     */
-    private static final double STILL = 1e-7;
 
     private final ParticleSystem system;
     private final Particles particles;
@@ -218,7 +208,7 @@ final class Blocks {
                     : "let no contact forces keep all particles out: friction or a moving anchor jams them");
         }
         left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
-        return left > CONTRADICTION ? Optional.of("contradict each other: no forces can satisfy them all")
+        return left > Tolerances.NO_SOLUTION ? Optional.of("contradict each other: no forces can satisfy them all")
                 : Optional.empty();
     }
 
@@ -251,7 +241,7 @@ final class Blocks {
      */
     double push(Block block, Row row, double[] force) {
         boolean pushes = block.hasPairs() ? row.force > 0 : row.force != 0;
-        double rounding = block.hasPairs() ? STILL * scale(block, force) : 0;
+        double rounding = block.hasPairs() ? Tolerances.STILL * scale(block, force) : 0;
         return pushes ? row.force : rounding - row.separation;
     }
 

@@ -16,14 +16,6 @@ import particles.law.Vector3;
  * J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
 final class ConstraintCorrection {
-    /** Target error, relative to a row's length plus its particle's distance from the origin; less is round-off. */
-    private static final double FINE = 1e-15;
-    /** Accepted error of nearly singular configurations, where round-off is larger. */
-    private static final double ENOUGH = 1e-9;
-    /** Where masses differ by more than this factor, the round-off of forces would move the lightest particles. */
-    private static final double UNEVEN = 1000;
-    /** Where they differ by more than this, it hides which rows are dependent. */
-    static final double MOST_UNEVEN = 1e12;
     /** Why there is no solution then. */
     static final String LOST = "join masses that differ by a factor of more than 1e12: what the lightest pass on is"
             + " lost in round-off";
@@ -41,7 +33,7 @@ final class ConstraintCorrection {
     boolean project(double[] state, double time) {
         boolean moved = positions(state, time);
         boolean changed = rows.stream().anyMatch(row -> Math.abs(row.rate)        // known since the last correction
-                > FINE * (1 + Vector3.at(state, Particles.STRIDE * row.first + 3).norm1()));
+                > Tolerances.LENGTH * (1 + Vector3.at(state, Particles.STRIDE * row.first + 3).norm1()));
         if (changed) {
             correct(state, 3);
         }
@@ -61,7 +53,7 @@ final class ConstraintCorrection {
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
             }
-            if (error <= FINE || error <= ENOUGH && error > before / 2) {
+            if (error <= Tolerances.LENGTH || error <= Tolerances.SINGULAR_LENGTH && error > before / 2) {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS) {
@@ -82,12 +74,12 @@ final class ConstraintCorrection {
 
     /** Whether the masses of a block differ too much. */
     static boolean areUneven(Block block) {
-        return block.massRatio > MOST_UNEVEN;
+        return block.massRatio > Tolerances.MOST_UNEVEN;
     }
 
     /** Adds what round-off has left of the forces of a solved block; twice, since its matrix is rounded too. */
     static void addRest(Blocks blocks, Block block, double[] force) {
-        if (block.massRatio > UNEVEN) {
+        if (block.massRatio > Tolerances.UNEVEN) {
             Row[] all = block.rows;
             double[] forces = Arrays.stream(all).mapToDouble(row -> row.force).toArray();
             block.keep(Arrays.stream(all).filter(row -> row.force != 0));

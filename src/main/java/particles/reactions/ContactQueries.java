@@ -139,7 +139,7 @@ public final class ContactQueries {
         ask(block, state, force, i -> i == particle || (modes.isSticking(i) || contacts.isSlow(i, state))
                 && !isDriven(block, i, state));
         boolean moves = failure.isPresent()             // the rods' motion keeps it from standing still
-                || blocks.getLeft() > RestingContacts.ROUNDING && isDriven(block, -1, state);
+                || blocks.getLeft() > Tolerances.STANDSTILL && isDriven(block, -1, state);
         return moves ? -1 : forcesAtRest(block, state, force).margin(particle);
     }
 

@@ -27,23 +27,7 @@ import particles.reactions.ContactModes.Mode;
  * motion. So the force is a smooth function of the state while a solver works.
  */
 public final class RestingContacts implements Reaction {
-
     private static final int STRIDE = Particles.STRIDE;
-
-    /** The largest speed that counts as 0 (m/s). */
-    static final double ROUNDING = 1e-9;
-
-    /**
-     * Safety factor of {@link #mayStopWithin}: yoshida4 looks a third of a step ahead, and several surfaces push
-     * harder.
-     */
-    private static final double STOPS = 4;
-
-    /** Relative to the speed before: less than this is left where the forces change a little in the step of a stop. */
-    private static final double ALMOST_STOPPED = 0.01;
-
-    /** Largest distance from surfaces that a particle was put on, relative to 1 m plus that from the origin. */
-    private static final double ON_ALL = 1e-13;
     private static final int MOST_ITERATIONS = 100;
 
     private final ParticleSystem system;
@@ -165,7 +149,8 @@ public final class RestingContacts implements Reaction {
      *         its threshold or round-off
      */
     public boolean isSlow(int particle, double[] state) {
-        double limit = largest(particle, f -> f.staticCoefficient() > 0 ? Math.max(ROUNDING, f.threshold()) : 0);
+        double limit = largest(particle,
+                f -> f.staticCoefficient() > 0 ? Math.max(Tolerances.STANDSTILL, f.threshold()) : 0);
         Vector3 velocity = Vector3.at(state, STRIDE * particle + 3);
         return limit > 0 && velocity.dot(velocity) <= limit * limit;
     }
@@ -228,7 +213,7 @@ public final class RestingContacts implements Reaction {
             if (rubbing > 0) {
                 double speed = Vector3.at(state, STRIDE * i + 3).length();
                 double pull = Vector3.at(forces.get(), STRIDE * i + 3).length() / particles.mass(i);
-                stopping.set(i, speed <= STOPS * time * (1 + rubbing * sliding.sharpness(i)) * pull);
+                stopping.set(i, speed <= Tolerances.STOPS * time * (1 + rubbing * sliding.sharpness(i)) * pull);
             }
         }
         return stopping;
@@ -242,7 +227,7 @@ public final class RestingContacts implements Reaction {
      */
     public boolean hasStopped(int particle, Vector3 velocity) {
         Vector3 before = Vector3.at(sliding.getStepBegin(), STRIDE * particle + 3);
-        double slow = sliding.mayStop(particle) ? ALMOST_STOPPED * before.length() : 0;
+        double slow = sliding.mayStop(particle) ? Tolerances.ALMOST_STOPPED * before.length() : 0;
         return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
     }
 
@@ -341,7 +326,7 @@ public final class RestingContacts implements Reaction {
      */
     public void putOnSurfaces(int particle, double[] state) {
         Block block = blocks.of(particle);
-        double near = ON_ALL * (1 + Vector3.at(state, STRIDE * particle).norm1());
+        double near = Tolerances.PLACE * (1 + Vector3.at(state, STRIDE * particle).norm1());
         double off = Double.POSITIVE_INFINITY;
         for (int k = 0; k < MOST_ITERATIONS && off > near && !block.isJoined(); k++) {
             blocks.correct(block, state, 0, false, Block.ALL);

@@ -217,7 +217,7 @@ final class Row {
         double turn = dot(state, v, state, v) / length;
         double along = turn + dot(gradient, 3 * k, accelerations, v);
         double most = turn + Vector3.at(accelerations, v).norm1();
-        return Math.abs(rateOfAnchors(state, inverseMasses)) > RestingContacts.ROUNDING
-                || Math.abs(along) > RestingContacts.ROUNDING * (1 + most);
+        return Math.abs(rateOfAnchors(state, inverseMasses)) > Tolerances.STANDSTILL
+                || Math.abs(along) > Tolerances.STANDSTILL * (1 + most);
     }
 }

@@ -13,13 +13,6 @@ import particles.reactions.Row.Kind;
  * start or have reversed within a step. {@link Scales} make it depend on the direction.
  */
 final class SlidingFriction {
-    /** A normal within this angle of the plane of others (rad) is taken to lie in it. */
-    private static final double PARALLEL = 1e-6;
-    /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
-    private static final double ALMOST_STOPPED = 1e-6;
-    /** What is left of a vector along surfaces is round-off below this, relative to the vector. */
-    private static final double ROUNDING = 1e-14;
-
     private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals of pushing surfaces
     private int surfaces;
     private Scales[] scales = {};                       // by particle; null for those that have none
@@ -145,7 +138,7 @@ final class SlidingFriction {
      */
     boolean startsFromRest(int particle) {
         int v = Particles.STRIDE * particle + 3;
-        return v < stepBegin.length && Vector3.at(stepBegin, v).norm1() <= RestingContacts.ROUNDING;
+        return v < stepBegin.length && Vector3.at(stepBegin, v).norm1() <= Tolerances.STANDSTILL;
     }
 
     /**
@@ -265,7 +258,7 @@ final class SlidingFriction {
     private void keepAlong(Row row) {
         Vector3 rest = along(row.gradient, 0);
         double length = length(rest);
-        if (length > PARALLEL) {
+        if (length > Tolerances.PARALLEL) {
             axes[surfaces++] = rest.over(length);
         }
     }
@@ -318,7 +311,7 @@ final class SlidingFriction {
         }
         Vector3 beginning = along(stepBegin, v);
         double length = length(beginning);
-        if (length(velocity) < ALMOST_STOPPED * length) {
+        if (length(velocity) < Tolerances.NO_DIRECTION * length) {
             return beginning;
         }
         double forward = velocity.dot(beginning);
@@ -330,7 +323,7 @@ final class SlidingFriction {
         double x = vectors[place];
         double y = vectors[place + 1];
         double z = vectors[place + 2];
-        double rounding = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        double rounding = Tolerances.ALONG * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         for (int a = 0; a < surfaces; a++) {
             Vector3 axis = axes[a];
             double across = axis.x() * x + axis.y() * y + axis.z() * z;

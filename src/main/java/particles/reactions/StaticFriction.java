@@ -19,10 +19,6 @@ import particles.law.Vector3;
  */
 final class StaticFriction {
     private static final int MOST_SWEEPS = 1_000;
-    /** What may be left of the force on a particle, relative to all forces on it. */
-    private static final double ENOUGH = 1e-6;
-    /** The search ends when what is left on each particle changes by less than this fraction of it, or is enough. */
-    private static final double PROGRESS = 1e-5;
     private static final int HALVINGS = 60;
 
     private final ContactQueries queries;
@@ -122,7 +118,7 @@ final class StaticFriction {
     /** Whether what is left of the force on a particle still changes from sweep to sweep. */
     private boolean hasChanged(int i, double[] before) {
         Vector3 now = Vector3.at(left, place(i));
-        return now.minus(Vector3.at(before, place(i))).length() > PROGRESS * now.length();
+        return now.minus(Vector3.at(before, place(i))).length() > Tolerances.PROGRESS * now.length();
     }
 
     /** Finds the loads that leave the smallest accelerations of held particles, J W (F + J<sup>T</sup> load) = 0. */
@@ -163,6 +159,6 @@ final class StaticFriction {
         Vector3 given = Vector3.at(total, place(particle));
         Vector3 withCones = Vector3.at(balanced, place(particle));
         Vector3 loads = Vector3.at(left, place(particle)).minus(withCones);
-        return ENOUGH * (given.norm1() + withCones.minus(given).norm1() + loads.norm1());
+        return Tolerances.HELD * (given.norm1() + withCones.minus(given).norm1() + loads.norm1());
     }
 }

@@ -76,6 +76,9 @@
  * fraction of its length or radius (of 1 m for planes and wires), and the difference between the work that is reported
  * for moving anchors and that of the forces on them. From 0.001 on there is a warning; above 0.1 the run ends as wrong.
  *
+ * <p>What counts as 0 in all this, and from where on there is no solution, is in {@link
+ * particles.reactions.Tolerances}.
+ *
  * <p>Sources: the slides "Particle/Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics",
  * SIGGRAPH course notes 1997 (rows); D. Baraff, "Fast contact force computation for nonpenetrating rigid bodies",
  * SIGGRAPH 1994 (complementarity with friction); for active sets J. J&uacute;dice and F. Pires 1994 and, as the

@@ -14,6 +14,7 @@ import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
+import particles.reactions.Tolerances;
 
 /**
  * Collisions with planes and spheres at the end of the step (clamp), the slides' "Particle/Plane Collisions": at an
@@ -32,12 +33,6 @@ import particles.reactions.RestingContacts;
  * it slide visibly too far, the step is divided at the stop.
  */
 public final class ClampedImpacts extends Impacts implements EventRule {
-    /** Of the speed that an elastic particle gains in a step: it rests below this, of which a loss is round-off. */
-    private static final double LITTLE = 1e-6;
-
-    /** What a particle may slide too far in the step of its stop, relative to 1 m plus the distance from the origin. */
-    private static final double FAR = 1e-4;
-
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
     private final boolean hasSpheres;
@@ -45,9 +40,6 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private double foreseenStep = Double.NaN;           // its length (s)
     private int foreseenAt;                             // the modes' count of changes
     private double[] arrived = {};                      // the state at the end of the step, before clamping
-
-    /** Impacts are at one moment if their times differ by less than this fraction of the step. */
-    private static final double AT_ONCE = 1e-9;
 
     /**
      * A particle that was free and is below a surface now.
@@ -76,7 +68,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
             double time = contacts.isCoupled(i) ? deltaT : contacts.getQueries().stoppingTime(i, state, forces());
             double farther = velocity(state, i).length() * (deltaT - time) / 2;
-            boolean divides = time < deltaT && farther > FAR * (1 + Vector3.at(state, STRIDE * i).norm1());
+            boolean divides = time < deltaT && farther > Tolerances.FAR * (1 + Vector3.at(state, STRIDE * i).norm1());
             contacts.stopAfter(i, divides ? time : deltaT);
             if (divides) {
                 stops.put(i, system.getTime() + time);
@@ -130,7 +122,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         below.sort(Comparator.comparingDouble(Below::crossed));
         for (int from = 0, to; from < below.size(); from = to) {
             to = from;
-            while (to < below.size() && below.get(to).crossed <= below.get(from).crossed + AT_ONCE) {
+            while (to < below.size() && below.get(to).crossed <= below.get(from).crossed + Tolerances.AT_ONCE) {
                 to++;
             }
             answer(below.subList(from, to), deltaT);
@@ -220,7 +212,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
      * @param gained what it gained within the step (m/s)
      */
     private static double slow(ContactSurface surface, double gained) {
-        return surface.bounce().restitution() == 1 ? LITTLE * gained
+        return surface.bounce().restitution() == 1 ? Tolerances.ELASTIC * gained
                 : Math.max(surface.bounce().restSpeed(), gained);
     }
 
@@ -284,7 +276,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
             crossing.put(first, before, arrived, i, state);
         }
         for (int p = 0; p < entered.length; p++) {
-            if (entered[p] <= first + AT_ONCE) {
+            if (entered[p] <= first + Tolerances.AT_ONCE) {
                 moveAlong(surfaces.get(p).normal(state, i), state, STRIDE * i,
                         -surfaces.get(p).distance(state, i) - slack(state, i));
             }

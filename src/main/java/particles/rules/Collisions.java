@@ -19,6 +19,7 @@ import particles.law.Violation;
 import particles.reactions.BallContacts;
 import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.RigidConstraints;
+import particles.reactions.Tolerances;
 
 /**
  * Hard spheres: particles are balls that bounce off each other. Impacts are located like those with surfaces, see
@@ -34,8 +35,6 @@ import particles.reactions.RigidConstraints;
  */
 public final class Collisions implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
-    /** The largest gap of balls that begin in contact (m). */
-    private static final double TOUCHING = 1e-9;
 
     private final ExactImpacts impacts;
     private final ParticleSystem system;
@@ -97,7 +96,7 @@ public final class Collisions implements EventRule {
     /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
     @Override
     public void start(ParticleSystem system) {
-        findTouching(TOUCHING);
+        findTouching(Tolerances.TOUCHING);
         impacts.answer(-1, -1);
     }
 
@@ -138,7 +137,7 @@ public final class Collisions implements EventRule {
                         .length());
             }
         }
-        double size = ExactImpacts.DEEP * ExactImpacts.size(motion);
+        double size = Tolerances.DEEP * ExactImpacts.size(motion);
         findPairs(begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
     }
 
@@ -152,7 +151,7 @@ public final class Collisions implements EventRule {
             largest = Math.max(largest, particles.radius(i));
         }
         Set<List<Integer>> links = touching.findLinks();
-        grid.build(state, n, (2 * largest + 2 * farthest) * (1 + TOUCHING) + TOUCHING);
+        grid.build(state, n, (2 * largest + 2 * farthest) * (1 + Tolerances.TOUCHING) + Tolerances.TOUCHING);
         for (int i = 0; i < n; i++) {
             for (int k = grid.findLater(i, near) - 1; k >= 0; k--) {
                 int j = near[k];
@@ -169,7 +168,7 @@ public final class Collisions implements EventRule {
         double[] begin = motion.getStartState();
         double gap = gap(begin, i, j);
         boolean begins = gap <= Impacts.slack(begin, i);
-        double below = begins ? Math.max(0, rounding + ExactImpacts.DEEP * reach(i, j) - gap) : 0;
+        double below = begins ? Math.max(0, rounding + Tolerances.DEEP * reach(i, j) - gap) : 0;
         double h = motion.getEndTime() - motion.getStartTime();
         crossing.begin(begin, motion.getEndState(), h, i);
         crossing.add(-1, begin, motion.getEndState(), h, j);
@@ -253,7 +252,7 @@ public final class Collisions implements EventRule {
 
     /** The speed below which balls do not separate: round-off, or if they have not bounced now, the rest speed. */
     private double slow(boolean bounced) {
-        return Math.max(bounced ? 0 : balls.bounce.restSpeed(), Impacts.ROUNDING * fast);
+        return Math.max(bounced ? 0 : balls.bounce.restSpeed(), Tolerances.ROUNDING * fast);
     }
 
     private double push() {
@@ -267,7 +266,7 @@ public final class Collisions implements EventRule {
     /** Whether a ball can be born at a place. */
     boolean hasRoom(Vector3 at) {
         double[] state = system.getOwnState();
-        double least = balls.radius - ExactImpacts.ROUND_OFF * (1 + at.norm1());
+        double least = balls.radius - Tolerances.PLACE * (1 + at.norm1());
         for (int i = 0; i < particles.count(); i++) {
             if (Vector3.at(state, STRIDE * i).minus(at).length() < particles.radius(i) + least) {
                 return false;

@@ -10,6 +10,7 @@ import particles.law.Effect;
 import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
+import particles.reactions.Tolerances;
 
 /**
  * A source of particles, such as the nozzle of a fountain. The n-th particle is born n/rate after the beginning of the
@@ -18,9 +19,6 @@ import particles.law.Vector3;
  * that is never reused: {@code fountain[17]} is the 18th.
  */
 public final class Emitter implements Rule {
-    /** Births within this fraction of a step after its end happen at the end. */
-    private static final double ROUNDING = 1e-6;
-
     private final Nozzle nozzle;
     private final Supplier<Optional<Collisions>> collisions;
     private final SeededRandom random;
@@ -103,7 +101,7 @@ public final class Emitter implements Rule {
         while (emit(system, system.getTime())) {        // those that have waited
             any = true;
         }
-        double now = system.getTime() + ROUNDING * deltaT;
+        double now = system.getTime() + Tolerances.BIRTH * deltaT;
         for (double birth = getNextTime(); birth <= now; birth = getNextTime()) {
             due++;
             any |= emit(system, getWaiting() == 1 ? birth : system.getTime());

@@ -15,6 +15,7 @@ import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
+import particles.reactions.Tolerances;
 
 /**
  * Collisions with planes and spheres at their exact times, by event location: the slides' "should back-off simulation
@@ -23,12 +24,6 @@ import particles.reactions.RestingContacts;
  * are events too. Particles are never lifted, so no energy is added and the solver keeps its order.
  */
 public final class ExactImpacts extends Impacts implements EventRule {
-    /** Relative to the size of the motion: 32 round-offs, for a solver's stages, a spring's force and a distance. */
-    static final double DEEP = 0x1p-48;
-
-    /** Round-off of places, relative to 1 m plus the distance from the origin. */
-    static final double ROUND_OFF = 1e-13;
-
     private Optional<Collisions> balls = Optional.empty();
 
     /** @param contacts the surfaces and the particles in contact with them */
@@ -123,7 +118,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         }
         Vector3 before = velocity(motion.getStartState(), i);
         double speed = before.length();
-        double slow = speed > contacts.threshold(i) * (1 + ROUNDING) ? contacts.threshold(i) : 0;
+        double slow = speed > contacts.threshold(i) * (1 + Tolerances.ROUNDING) ? contacts.threshold(i) : 0;
         DoubleSupplier moving = () -> velocity(system.getOwnState(), i).dot(before) / speed - slow;
         if (speed != 0 && contacts.rubs(i) && moving.getAsDouble() < 0) {
             found.add(new Event(end, true, moving, () -> stop(i, speed)));
@@ -160,7 +155,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double h = motion.getEndTime() - motion.getStartTime();
         boolean isFlat = surface.obstacle().isFlat();
         double radius = isFlat ? 0 : 1 / surface.curvature(begin, i);
-        double below = begins ? Math.max(0, DEEP * (size + radius) - surface.distance(begin, i)) : 0;
+        double below = begins ? Math.max(0, Tolerances.DEEP * (size + radius) - surface.distance(begin, i)) : 0;
         double u = firstBelow(surface, begin, motion.getEndState(), h, i, below);
         if (!Double.isNaN(u)) {
             found.add(meeting(motion, u, begins, () -> {
@@ -269,8 +264,8 @@ public final class ExactImpacts extends Impacts implements EventRule {
 
     /** How far apart two may be that meet at this moment: round-off of a place, and of the clock (m). */
     final double moment(double[] state, int i) {
-        return ROUND_OFF * (1 + Vector3.at(state, STRIDE * i).norm1())
-                + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * velocity(state, i).norm1();
+        return Tolerances.PLACE * (1 + Vector3.at(state, STRIDE * i).norm1())
+                + Tolerances.CLOCK * Math.ulp(system.getTime()) * velocity(state, i).norm1();
     }
 
     private boolean isPressedOn(int p, int i) {

@@ -9,6 +9,7 @@ import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
+import particles.reactions.Tolerances;
 
 /**
  * Collisions with planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' =
@@ -18,14 +19,6 @@ import particles.reactions.RestingContacts;
  */
 abstract class Impacts implements Rule {
     static final int STRIDE = Particles.STRIDE;
-    /** Round-off of a few operations, relative to a speed. */
-    static final double ROUNDING = 1e-12;
-    /** An elastic particle rests only where it would bounce this often in a step. */
-    private static final double BOUNCES = 1000;
-    /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
-    private static final double ON_SURFACE = 1e-9;
-    /** The largest error of an event's time, in ulps of the clock. */
-    static final int CLOCK_ROUNDINGS = 4;
 
     final RestingContacts contacts;
     final ParticleSystem system;
@@ -97,7 +90,7 @@ abstract class Impacts implements Rule {
         if (surface.bounce().restitution() < 1) {
             return surface.bounce().restSpeed();
         }
-        return velocity(forces(), i).length() / particles.mass(i) * deltaT / 2 / BOUNCES;
+        return velocity(forces(), i).length() / particles.mass(i) * deltaT / 2 / Tolerances.BOUNCES;
     }
 
     final double pressure(int p, int i) {
@@ -142,7 +135,7 @@ abstract class Impacts implements Rule {
         double[] state = system.getOwnState();
         Vector3 velocity = velocity(state, i);
         double acceleration = velocity(forces(), i).length() / particles.mass(i);
-        double rounding = ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
+        double rounding = Tolerances.ROUNDING * speed + Tolerances.CLOCK * Math.ulp(system.getTime()) * acceleration;
         double slow = contacts.threshold(i) + rounding;
         if (velocity.length() <= slow && holdMargin(i) >= 0) {
             stick(i, state);
@@ -192,7 +185,7 @@ abstract class Impacts implements Rule {
 
     /** The distance that a particle in contact may have from a surface by round-off (m). */
     static double slack(double[] state, int i) {
-        return ON_SURFACE * (1 + Vector3.at(state, STRIDE * i).norm1());
+        return Tolerances.TOUCHING * (1 + Vector3.at(state, STRIDE * i).norm1());
     }
 
     static Vector3 velocity(double[] state, int i) {

@@ -1,4 +1,4 @@
-package particles.reactions;
+package deSolvers.linear;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -26,7 +26,7 @@ public final class MinimumNormSolution {
      * @param x        receives the solution, 0 where a row is not active
      * @param singular entries of R below this fraction of the largest are round-off
      */
-    void solve(EnvelopeMatrix a, boolean[] active, double[] b, double[] x, double singular) {
+    public void solve(EnvelopeMatrix a, boolean[] active, double[] b, double[] x, double singular) {
         int[] rows = IntStream.range(0, a.size()).filter(r -> active[r]).toArray();
         int n = rows.length;
         boolean resized = n != matrix.numRows;      // the library's decomposition does not shrink with its matrix

@@ -1,4 +1,4 @@
-package particles.reactions;
+package deSolvers.linear;
 
 import java.util.Arrays;
 
@@ -8,7 +8,7 @@ import java.util.Arrays;
  * a few entries a row, and the time is proportional to its length. There is no pivoting: A = J W J<sup>T</sup> does not
  * need it, and friction makes A only a little unsymmetric; callers check the residual.
  */
-final class EnvelopeMatrix {
+public final class EnvelopeMatrix {
     private int size;
     private int[] first = new int[4];                   // column of a row's first entry
     private int[] begin = new int[4];                   // index where column 0 of a row would be
@@ -20,7 +20,7 @@ final class EnvelopeMatrix {
     private boolean current;                            // whether the factors are those of A
 
     /** Starts a matrix without rows. */
-    void clear() {
+    public void clear() {
         size = 0;
         current = false;
     }
@@ -30,7 +30,7 @@ final class EnvelopeMatrix {
      *
      * @param first the first entry that can differ from zero
      */
-    void add(int first) {
+    public void add(int first) {
         int place = size == 0 ? 0 : begin[size - 1] + size;
         int after = place + size - first + 1;
         if (size == this.first.length) {
@@ -48,25 +48,31 @@ final class EnvelopeMatrix {
         begin[size++] = place - first;
     }
 
-    /** Sets A(row, column) and A(column, row), with the column in the envelope, not to the right of the diagonal. */
-    void set(int row, int column, double below, double above) {
+    /**
+     * Sets A(row, column) and A(column, row).
+     *
+     * @param column in the envelope, not to the right of the diagonal
+     * @param below  A(row, column)
+     * @param above  A(column, row); not used on the diagonal
+     */
+    public void set(int row, int column, double below, double above) {
         lower[begin[row] + column] = below;
         upper[begin[row] + column] = above;
         current = false;
     }
 
     /** @return the number of rows */
-    int size() {
+    public int size() {
         return size;
     }
 
     /** @return the first column of a row's envelope */
-    int first(int row) {
+    public int first(int row) {
         return first[row];
     }
 
     /** @return an entry of A */
-    double get(int row, int column) {
+    public double get(int row, int column) {
         int r = Math.max(row, column);
         int c = Math.min(row, column);
         return c < first[r] ? 0 : (row < column ? upper : lower)[begin[r] + c];
@@ -79,7 +85,7 @@ final class EnvelopeMatrix {
      * @return false if a pivot is smaller: the row is nearly a linear combination of earlier ones; the factors are then
      *         invalid
      */
-    boolean factorise(boolean[] active, double smallest) {
+    public boolean factorise(boolean[] active, double smallest) {
         for (int r = 0; r < size; r++) {
             current &= active[r] == factored[r];
         }
@@ -117,7 +123,7 @@ final class EnvelopeMatrix {
      *
      * @param x holds b, 0 where a row is not active; receives x
      */
-    void solve(double[] x) {
+    public void solve(double[] x) {
         for (int r = 0; r < size; r++) {
             double sum = x[r];
             for (int c = first[r]; c < r; c++) {
@@ -133,7 +139,7 @@ final class EnvelopeMatrix {
     }
 
     /** Computes y = A x - b. */
-    void residual(double[] x, double[] b, double[] y) {
+    public void residual(double[] x, double[] b, double[] y) {
         for (int r = 0; r < size; r++) {
             double sum = lower[begin[r] + r] * x[r] - b[r];
             for (int c = first[r]; c < r; c++) {

@@ -1,4 +1,4 @@
-package particles.reactions;
+package deSolvers.linear;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
