@@ -1,84 +1,250 @@
 package particles.reactions;
 
-import deSolvers.ForceDerivatives;
-import java.util.Arrays;
 import particles.law.Particles;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
+import particles.reactions.Friction.Law;
 
 /**
- * The derivative of the total force on a particle in contact, by central differences: with respect to the force before
- * contact, to the particle's own position and velocity, and to the position of its neighbour in a body with scales.
- * Products by differences of the whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough
- * sphere, with linearised-euler and deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails.
+ * The derivative of the total force on a particle that slides on one surface or several, F + sum lambda N + friction,
+ * see {@link SlidingFriction}: its change for small changes of the forces before contact, of the particle's place and
+ * velocity and of its body's axis. With the dual normals D (D_r . N_s is 1 for r = s and 0 otherwise) the projection
+ * onto the surfaces is P u = u - sum N_r (D_r . u), and lambda = -sum (D_r . D_s) (N_s . F + bend_s). Each line is the
+ * derivative of a line there. Where normals are dependent, the loads on them are taken not to change. Differences of the
+ * whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough sphere, with linearised-euler and
+ * deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails; those of single contacts cross kinks, where one ends.
  */
 final class ContactDerivative {
-    private static final int STRIDE = Particles.STRIDE;
-    /**
-     * Relative to the force, speed or radius of curvature; the error is about 1e-9 of the largest entry, round-off.
-     * Forces have kinks, where a contact ends or friction stops a particle. A difference across one belongs to neither
-     * side: with 3e-5 Newton's method went round in circles on a draped cloth, at corrections of 9e-6.
-     */
-    private static final double STEP = 1e-7;
+    private final SlidingFriction sliding;
+    private final int i;
+    private final double mass;
+    private final double[] state;
+    private final Vector3 velocity;
+    private final Vector3 force;
+    private final Vector3 total;                        // with normal forces
+    private final Push[] pushes;
+    private final Vector3[] duals;
+    private final Vector3 axis;                         // of the body, along the surfaces
+    private final double length;                        // of the body
+    private final Vector3[] turns;                      // dN
+    private Vector3 longer;                             // the change of the body's axis
 
-    private static final double[] NONE = new double[9];
-    private final double[] byForce = new double[9];
-    private final double[] byPosition = new double[9];
-    private final double[] byVelocity = new double[9];
-    private final double[] before = new double[3];
-
-    /** Turns the forces of all effects (N) into the total force on one particle. */
-    interface Contact {
-        void add(double[] force);
+    /** A surface's normal force (N), negative if it pulls. */
+    record Push(ContactSurface surface, Vector3 normal, double size) {
     }
 
-    /**
-     * @param i         a particle that touches a surface
-     * @param neighbour the other particle on which its force depends; -1 if there is none
-     * @param curvature how fast the force turns with position (1/m)
-     * @param contact   its contact force, at the state as it is varied
-     * @param state     the state, whose entries of the particle are varied and restored
-     * @param force     the force before contact (N), likewise
-     */
-    void add(int i, int neighbour, double curvature, Contact contact, double[] state, double[] force,
-            ForceDerivatives derivatives) {
-        int f = STRIDE * i + 3;
-        vary(f, contact, force, f, size(force, f), force, byForce);
-        double size = curvature > 0 ? 1 / curvature : 0;
-        vary(f, contact, state, STRIDE * i, size, force, byPosition);
-        vary(f, contact, state, f, size(state, f), force, byVelocity);
-        derivatives.transformRow(i, byForce);
-        derivatives.add(i, i, byPosition, byVelocity);
-        if (neighbour >= 0) {
-            vary(f, contact, state, STRIDE * neighbour, size, force, byPosition);
-            derivatives.add(i, neighbour, byPosition, NONE);
+    /** @param force on the particle, of all effects (N) */
+    ContactDerivative(SlidingFriction sliding, int i, double mass, double[] state, Vector3 force, Push... pushes) {
+        this.sliding = sliding;
+        this.i = i;
+        this.mass = mass;
+        this.state = state;
+        this.force = force;
+        this.pushes = pushes;
+        velocity = Vector3.at(state, Particles.STRIDE * i + 3);
+        duals = new Vector3[pushes.length];
+        turns = new Vector3[pushes.length];
+        Vector3 sum = force;
+        for (int r = 0; r < pushes.length; r++) {
+            sum = sum.plus(pushes[r].normal.times(pushes[r].size));
+            duals[r] = dual(r);
         }
+        total = sum;
+        Vector3 body = sliding.axis(i, state);
+        length = body.length();
+        axis = along(body);
     }
 
-    private static double size(double[] vector, int place) {
-        double size = Vector3.at(vector, place).norm1();
-        return size > 0 ? size : 1;
-    }
-
-    /**
-     * Differentiates the total force on a particle, whose entries begin at f, by the three entries of an array from an
-     * index on; by none if the size is 0.
-     */
-    private void vary(int f, Contact contact, double[] vector, int place, double size, double[] force,
-            double[] result) {
-        double step = STEP * size;
-        Arrays.fill(result, 0);
-        for (int c = 0; c < 3 && size > 0; c++) {
-            double value = vector[place + c];
-            for (int side = -1; side <= 1; side += 2) {
-                vector[place + c] = value + side * step;
-                System.arraycopy(force, f, before, 0, 3);
-                contact.add(force);
-                for (int row = 0; row < 3; row++) {
-                    result[3 * row + c] += side / (2 * step) * force[f + row];
-                }
-                System.arraycopy(before, 0, force, f, 3);
+    /** The part of a normal that is perpendicular to the others, by its square; 0 for one that depends on others. */
+    private Vector3 dual(int r) {
+        Vector3[] axes = new Vector3[3];
+        int known = 0;
+        for (int s = 0; s <= pushes.length; s++) {
+            Vector3 rest = pushes[s == pushes.length ? r : s].normal;
+            for (int a = 0; a < known && s != r; a++) {
+                rest = rest.minus(axes[a].times(axes[a].dot(rest)));
             }
-            vector[place + c] = value;
+            boolean isNew = rest.length() > Tolerances.PARALLEL;
+            if (s == pushes.length) {
+                return isNew ? rest.over(rest.dot(rest)) : Vector3.ZERO;
+            }
+            if (s != r && isNew) {
+                axes[known++] = rest.normalized();
+            }
+        }
+        throw new AssertionError();
+    }
+
+    private Vector3 along(Vector3 u) {
+        Vector3 rest = u;
+        for (int r = 0; r < duals.length; r++) {
+            rest = rest.minus(pushes[r].normal.times(duals[r].dot(u)));
+        }
+        return rest;
+    }
+
+    /** The change of P u. */
+    private Vector3 along(Vector3 u, Vector3 du) {
+        Vector3 changed = du;
+        Vector3 turned = Vector3.ZERO;
+        Vector3 flat = along(u);
+        for (int r = 0; r < duals.length; r++) {
+            changed = changed.minus(turns[r].times(duals[r].dot(u)));
+            turned = turned.plus(duals[r].times(turns[r].dot(flat)));
+        }
+        return along(changed).minus(turned);
+    }
+
+    /** The change of the total force for those of force (N), place (m), velocity (m/s) and the body's axis (m). */
+    Vector3 change(Vector3 dForce, Vector3 dPlace, Vector3 dVelocity, Vector3 dBody) {
+        longer = dBody;
+        Vector3 changed = dForce;
+        for (int r = 0; r < pushes.length; r++) {
+            Vector3 normal = pushes[r].normal;
+            turns[r] = dPlace.minus(normal.times(normal.dot(dPlace))).times(curvature(r));
+            changed = changed.plus(turns[r].times(pushes[r].size));
+        }
+        double[] right = new double[pushes.length];
+        for (int r = 0; r < pushes.length; r++) {
+            Vector3 normal = pushes[r].normal;
+            double into = normal.dot(velocity);
+            double bend = curvature(r) * 2 * (velocity.dot(dVelocity)
+                    - into * (turns[r].dot(velocity) + normal.dot(dVelocity)))
+                    - curvature(r) * curvature(r) * normal.dot(dPlace) * (velocity.dot(velocity) - into * into);
+            right[r] = -turns[r].dot(total) - normal.dot(changed) - mass * bend;
+        }
+        double slide = 0;
+        double dSlide = 0;
+        double most = 0;
+        double dMost = 0;
+        boolean isRough = false;
+        for (int r = 0; r < pushes.length; r++) {
+            double dPush = 0;
+            for (int s = 0; s < pushes.length; s++) {
+                dPush += duals[r].dot(duals[s]) * right[s];
+            }
+            changed = changed.plus(pushes[r].normal.times(dPush));
+            Friction friction = pushes[r].surface.friction();
+            slide += friction.law() == Law.SLIDE ? friction.coefficient() * pushes[r].size : 0;
+            dSlide += friction.law() == Law.SLIDE ? friction.coefficient() * dPush : 0;
+            most += friction.law() == Law.COULOMB ? friction.coefficient() * pushes[r].size : 0;
+            dMost += friction.law() == Law.COULOMB ? friction.coefficient() * dPush : 0;
+            isRough |= friction.law() != Law.NONE;
+        }
+        if (!isRough) {
+            return changed;
+        }
+        Vector3 u = along(velocity);
+        Vector3 du = along(velocity, dVelocity);
+        if (slide != 0 || dSlide != 0) {
+            Stretch s = new Stretch(u);
+            changed = changed.minus(s.of(u).times(dSlide)).minus(s.change(u, du).times(slide));
+        }
+        return most == 0 ? changed : changed.minus(coulomb(u, du, most, dMost, dForce));
+    }
+
+    private double curvature(int r) {
+        return pushes[r].surface.obstacle().curvature(state, Particles.STRIDE * i);
+    }
+
+    /** The change of what Coulomb's friction takes off the force. */
+    private Vector3 coulomb(Vector3 u, Vector3 du, double most, double dMost, Vector3 dForce) {
+        Vector3 begin = sliding.beginning(i);
+        Vector3 b = along(begin);
+        Vector3 db = along(begin, Vector3.ZERO);
+        boolean stops = sliding.mayStop(i);
+        if (!stops && !sliding.startsFromRest(i)) {
+            Vector3 v = u;
+            Vector3 dv = du;
+            double square = b.dot(b);
+            double part = 2 * u.dot(b) / square;
+            if (u.length() < Tolerances.NO_DIRECTION * b.length()) {
+                v = b;
+                dv = db;
+            } else if (part < 0) {
+                double dPart = 2 * (du.dot(b) + u.dot(db) - part * b.dot(db)) / square;
+                v = u.minus(b.times(part));
+                dv = du.minus(db.times(part)).minus(b.times(dPart));
+            }
+            Stretch s = new Stretch(v);
+            Vector3 q = s.of(v);
+            double speed = q.length();
+            if (speed > 0) {
+                Vector3 dq = s.change(v, dv);
+                Vector3 friction = s.of(q).over(speed);
+                return friction.times(dMost).plus(s.change(q, dq).minus(friction.times(q.dot(dq) / speed))
+                        .times(most / speed));
+            }
+        }
+        if (most < 0) {
+            return Vector3.ZERO;                        // a contact that a rule is about to end
+        }
+        Vector3 needed = along(force).plus(b.times(sliding.stoppingRate(i)));
+        Vector3 dNeeded = along(force, dForce).plus(db.times(sliding.stoppingRate(i)));
+        Stretch s = new Stretch(needed);
+        Vector3 z = s.inverse(needed, 1);
+        return z.length() <= most ? dNeeded : s.balance(needed, dNeeded, most, dMost);
+    }
+
+    /** The map S of {@link Skin}, c u + h a (a . u), where a is the body's axis along the surfaces. */
+    private final class Stretch {
+        private final double c;
+        private final double h;
+        private final double along;                     // the factor along the axis
+        private final Vector3 direction;
+
+        /** @param u decides between the factors forward and backward */
+        Stretch(Vector3 u) {
+            Skin skin = sliding.skin(i, length, axis);
+            c = skin.across();
+            along = axis.dot(u) < 0 ? skin.backward() : skin.forward();
+            h = axis.isZero() ? 0 : (along - c) / axis.dot(axis);
+            direction = axis.isZero() ? Vector3.ZERO : axis.normalized();
+        }
+
+        Vector3 of(Vector3 u) {
+            return u.times(c).plus(axis.times(h * axis.dot(u)));
+        }
+
+        /** The change of S u. */
+        Vector3 change(Vector3 u, Vector3 du) {
+            if (h == 0) {
+                return du.times(c);
+            }
+            Vector3 body = sliding.axis(i, state);
+            Vector3 dAxis = ContactDerivative.this.along(body, longer);
+            double dH = -2 * h * body.dot(longer) / body.dot(body);
+            double part = axis.dot(u);
+            return of(du).plus(dAxis.times(h * part)).plus(axis.times(h * dAxis.dot(u) + dH * part));
+        }
+
+        /** S<sup>-1</sup> u or S<sup>-2</sup> u. */
+        Vector3 inverse(Vector3 u, int power) {
+            double aside = power == 1 ? 1 / c : 1 / (c * c);
+            double ahead = power == 1 ? 1 / along : 1 / (along * along);
+            return u.times(aside).plus(direction.times((ahead - aside) * direction.dot(u)));
+        }
+
+        /**
+         * The change of y, the force in the ellipse |S<sup>-1</sup> y| = most that is nearest to n outside: n - y = m B
+         * y with B = S<sup>-2</sup>, so (1 + m B) dy = dn - m dB y - dm B y.
+         */
+        Vector3 balance(Vector3 n, Vector3 dn, double most, double dMost) {
+            Vector3 y = sliding.skin(i, length, axis).balance(n, most);
+            double m = n.minus(y).dot(y) / (most * most);
+            Vector3 z = inverse(y, 1);
+            Vector3 by = inverse(y, 2);
+            Vector3 dBy = inverse(change(by, Vector3.ZERO), 1).plus(inverse(change(z, Vector3.ZERO), 2)).times(-1);
+            Vector3 dy = solve(m, dn.minus(dBy.times(m)));
+            Vector3 perM = solve(m, by);
+            double dM = (by.dot(dy) + y.dot(dBy) / 2 - most * dMost) / by.dot(perM);
+            return dy.minus(perM.times(dM));
+        }
+
+        private Vector3 solve(double m, Vector3 u) {
+            double aside = 1 / (1 + m / (c * c));
+            double ahead = 1 / (1 + m / (along * along));
+            return u.times(aside).plus(direction.times((ahead - aside) * direction.dot(u)));
         }
     }
 }

@@ -3,6 +3,8 @@ package particles.reactions;
 import deSolvers.ForceDerivatives;
 import java.util.Arrays;
 import particles.law.Particles;
+import particles.law.Vector3;
+import particles.reactions.ContactDerivative.Push;
 
 /**
  * The contact forces of all particles that touch surfaces and are not coupled, in one loop over arrays. On one surface
@@ -15,6 +17,7 @@ final class LoneContacts {
     private static final int STICKS = -1;
     /** In place of a surface: the particle slides on several. */
     private static final int SEVERAL = -2;
+    private static final double[] NONE = new double[9];
 
     private final Blocks blocks;
     private final RestingContacts contacts;
@@ -88,13 +91,50 @@ final class LoneContacts {
     void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
         gather();
         blocks.prepare(state, time);
-        ContactDerivative derivative = new ContactDerivative();
+        double[][] matrices = new double[4][9];         // by force, place, velocity and the neighbour's place
         for (int k = 0; k < count; k++) {
-            int contact = k;
             int i = touching[k];
             SlidingFriction sliding = contacts.getSliding();
-            derivative.add(i, sliding.neighbour(i), Math.max(contacts.curvature(i, state), sliding.turning(i, state)),
-                    sum -> add(contact, state, time, sum), state, force, derivatives);
+            ContactDerivative derivative = new ContactDerivative(sliding, i, particles.mass(i), state,
+                    Vector3.at(force, Particles.STRIDE * i + 3), pushes(k, state, time, force));
+            for (int c = 0; c < 3; c++) {
+                Vector3 unit = new Vector3(c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
+                Vector3 body = unit.times(sliding.end(i));
+                Vector3[] columns = {derivative.change(unit, Vector3.ZERO, Vector3.ZERO, Vector3.ZERO),
+                    derivative.change(Vector3.ZERO, unit, Vector3.ZERO, body),
+                    derivative.change(Vector3.ZERO, Vector3.ZERO, unit, Vector3.ZERO),
+                    derivative.change(Vector3.ZERO, Vector3.ZERO, Vector3.ZERO, body.times(-1))};
+                for (int m = 0; m < columns.length; m++) {
+                    Vector3 column = surface[k] == STICKS ? Vector3.ZERO : columns[m];
+                    matrices[m][c] = column.x();
+                    matrices[m][3 + c] = column.y();
+                    matrices[m][6 + c] = column.z();
+                }
+            }
+            derivatives.transformRow(i, matrices[0]);
+            derivatives.add(i, i, matrices[1], matrices[2]);
+            if (sliding.neighbour(i) >= 0) {
+                derivatives.add(i, sliding.neighbour(i), matrices[3], NONE);
+            }
         }
+    }
+
+    /** The normal forces on a particle. */
+    private Push[] pushes(int k, double[] state, double time, double[] force) {
+        int i = touching[k];
+        if (surface[k] == SEVERAL) {
+            Vector3 before = Vector3.at(force, Particles.STRIDE * i + 3);
+            add(k, state, time, force);
+            before.put(force, Particles.STRIDE * i + 3);
+            return Arrays.stream(blocks.of(i).rows).filter(row -> row.force != 0)
+                    .map(row -> new Push(row.surface, Vector3.at(row.gradient, 0), row.force)).toArray(Push[]::new);
+        }
+        if (surface[k] == STICKS) {
+            return new Push[0];
+        }
+        ContactSurface only = contacts.getSurfaces().get(surface[k]);
+        Vector3 normal = only.normal(state, i);
+        double push = SlidingFriction.push(normal, i, particles.mass(i), only, state, force);
+        return push > 0 || contacts.isHolding() ? new Push[] {new Push(only, normal, push)} : new Push[0];
     }
 }

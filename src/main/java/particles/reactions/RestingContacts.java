@@ -165,16 +165,6 @@ public final class RestingContacts implements Reaction {
         return largest;
     }
 
-    /** The largest curvature of the surfaces that a particle touches (1/m). */
-    double curvature(int particle, double[] state) {
-        double largest = 0;
-        for (int p = 0; p < surfaces.size(); p++) {
-            largest = modes.get(p, particle) == Mode.FREE ? largest
-                    : Math.max(largest, surfaces.get(p).curvature(state, particle));
-        }
-        return largest;
-    }
-
     /** @return whether friction on a particle flips when it reverses, or may hold it */
     public boolean rubs(int particle) {
         return largest(particle, f -> Math.max(f.ofCoulomb(1), f.staticCoefficient())) > 0;

@@ -47,10 +47,30 @@ final class SlidingFriction {
         return hasScales(i) ? scales[i].tail() + scales[i].head() - i : -1;
     }
 
-    /** How fast the friction's direction turns as the particle or its neighbour moves (1/m); 0 without scales. */
-    double turning(int i, double[] state) {
-        double length = hasScales(i) ? scales[i].axis(state).length() : 0;
-        return length == 0 ? 0 : 1 / length;
+    /** The change of the body's axis where a particle moves by 1 m along it: 1 at the head, -1 at the tail. */
+    int end(int i) {
+        return !hasScales(i) ? 0 : scales[i].head() == i ? 1 : -1;
+    }
+
+    /** The vector along a particle's body (m); 0 without scales. */
+    Vector3 axis(int i, double[] state) {
+        return hasScales(i) ? scales[i].axis(state) : Vector3.ZERO;
+    }
+
+    /** The skin of a particle whose body has a length and a part along the surfaces (m). */
+    Skin skin(int i, double length, Vector3 along) {
+        return hasScales(i) ? scales[i].skin(length, along) : Skin.SMOOTH;
+    }
+
+    /** A particle's velocity at the beginning of the step (m/s); 0 if none has begun. */
+    Vector3 beginning(int i) {
+        int v = Particles.STRIDE * i + 3;
+        return v < stepBegin.length ? Vector3.at(stepBegin, v) : Vector3.ZERO;
+    }
+
+    /** The mass of a particle divided by the time after which friction is to stop it (kg/s); 0 if it is not. */
+    double stoppingRate(int i) {
+        return i < stopping.length ? stopping[i] : 0;
     }
 
     /** How fast friction turns with the velocity, relative to that without scales. */
@@ -113,7 +133,7 @@ final class SlidingFriction {
      * @return whether friction acts on it as an impulse in the present step
      */
     boolean mayStop(int particle) {
-        return particle < stopping.length && stopping[particle] > 0;
+        return stoppingRate(particle) > 0;
     }
 
     /** Forgets the state at the beginning of the step. */
