@@ -84,7 +84,7 @@ class LabStateTest extends LabPageTestCase {
                 fresh.await("the moment", () -> fresh.text("clock").equals(page.text("clock"))
                         && fresh.text("start").equals("Continue")
                         && (Boolean) fresh.script("return Boolean(window.lab.view.camera.describe());"));
-                page.script("document.getElementById('note').replaceChildren();");      // the picture has its size again
+                page.script("document.getElementById('note').replaceChildren();");  // the picture has its size again
                 page.await("the same", () -> page.script(STATE).equals(fresh.script(STATE)));
                 fresh.go(link.substring(0, link.length() - 30));
                 assertHas(fresh.text("note"), "damaged");

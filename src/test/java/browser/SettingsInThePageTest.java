@@ -38,7 +38,8 @@ class SettingsInThePageTest extends LabPageTestCase {
         page.openScene("02-one-spring");
         type(MOON);
         until("view.facts.energies.includes('gravity')");
-        until("![...document.querySelectorAll('#parameters label')].some(one => one.textContent.startsWith('gravity'))");
+        until("![...document.querySelectorAll('#parameters label')].some("
+                + "one => one.textContent.startsWith('gravity'))");
         type("springs[9].damping=1");
         until("text('setError') === 'springs[9].damping: [9] does not exist; there are 1, from [0] on'");
         assertEquals("", page.text("errors"));

@@ -10,9 +10,9 @@ import particles.reactions.Friction.Law;
  * see {@link SlidingFriction}: its change for small changes of the forces before contact, of the particle's place and
  * velocity and of its body's axis. With the dual normals D (D_r . N_s is 1 for r = s and 0 otherwise) the projection
  * onto the surfaces is P u = u - sum N_r (D_r . u), and lambda = -sum (D_r . D_s) (N_s . F + bend_s). Each line is the
- * derivative of a line there. Where normals are dependent, the loads on them are taken not to change. Differences of the
- * whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough sphere, with linearised-euler and
- * deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails; those of single contacts cross kinks, where one ends.
+ * derivative of a line there. Where normals are dependent, the loads on them are taken not to change. Differences of
+ * the whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough sphere, with linearised-euler
+ * and deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails; those of single contacts cross kinks, where one ends.
  */
 final class ContactDerivative {
     private final SlidingFriction sliding;

@@ -50,7 +50,8 @@ class SessionTest {
     @Test
     void mistakesAreTheReadersOwnLines() {
         assertEquals("{\"errors\":[\"x.yaml:3:9: unknown solver 'rk5'; did you mean 'rk4'?",
-                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", "", 0, "").replaceFirst("'rk4'\\?.*", "'rk4'?"));
+                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", "", 0, "")
+                        .replaceFirst("'rk4'\\?.*", "'rk4'?"));
     }
 
     @Test
