@@ -109,7 +109,7 @@ class SessionTest {
 
     @Test
     void aFailedRunStandsAtItsLastStateAndIsNotRunOn() {
-        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0);
+        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0, "");
         session.advance(0.25, 1e4);
         session.advance(100, 1e4);
         String status = session.status();
@@ -132,7 +132,7 @@ class SessionTest {
 
     @Test
     void aRunGoesOnAfterItsDurationWithTheSameSteps() {
-        session.open("x.yaml", SCENE, "", "0.3", 0);
+        session.open("x.yaml", SCENE, "", "0.3", 0, "");
         session.setEndless(true);
         session.advance(2.05, 1e4);
         // the fourth step ends at the duration, 1, as ever
@@ -148,7 +148,7 @@ class SessionTest {
 
     @Test
     void aPullIsWorkFromItsFirstStepOn() {
-        session.open("x.yaml", SCENE, "verlet", "0.001", 0);
+        session.open("x.yaml", SCENE, "verlet", "0.001", 0, "");
         session.advance(0.1, 1e4);
         session.drag("bob", 3, 2, 0);
         session.advance(0.3, 1e4);
