@@ -20,7 +20,8 @@ public abstract class FixedStepSolver extends DESolver {
     private final int checked = this instanceof SumOfDerivatives.AfterTheFirst ? 1
             : this instanceof SumOfDerivatives ? 0 : Integer.MAX_VALUE;
     private int evaluations;                            // in this step
-    private double[][] arrays = {};                     // made once, lent one by one in each step
+    private double[] state = {};                        // s; a source may exchange it for another array
+    private double[][] arrays = {};                     // of the helpers: made once, lent one by one in each step
     private int lent;
     private int n = -1;
 
@@ -44,21 +45,29 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
             }
-            arrays[0] = guarded.finishWith(s);
+            double[] free = guarded.finishWith(s);
+            if (free != s) {                            // a comparison is cheaper than storing a reference
+                state = free;
+            }
         }
     }
 
-    /** Frees all work arrays and reads the state into the first one. */
+    /** Frees all work arrays and reads the state. */
     private double[] startState(DEStateSource source) {
         if (n != source.getStateSize()) {
-            n = source.getStateSize();
-            arrays = new double[0][];
+            resize(source.getStateSize());
         }
         evaluations = 0;
         lent = 0;
-        double[] s = next();
-        source.getState(s);
-        return s;
+        source.getState(state);
+        return state;
+    }
+
+    /** A method of its own, since HotSpot inlines stepState only if its machine code is short. */
+    private void resize(int size) {
+        state = new double[size];
+        arrays = new double[0][];
+        n = size;
     }
 
     /** An array that no other call returns until the next step begins; its entries are arbitrary. */
