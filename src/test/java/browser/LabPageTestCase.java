@@ -15,7 +15,7 @@ abstract class LabPageTestCase {
     private static final String WORDS = """
             const element = id => document.getElementById(id), text = id => element(id).innerText.trim();
             const number = id => parseFloat(text(id)), value = id => element(id).value;
-            const {view, energy, phase, comparison} = window.lab, state = view.moment?.state;
+            const {view, energy, phase} = window.lab, state = view.moment?.state;
             const caption = () => document.querySelector('figcaption').textContent;
             const scene = () => document.querySelector('.CodeMirror').CodeMirror.getValue();
             """;

@@ -34,8 +34,8 @@ class LabStateTest extends LabPageTestCase {
 
     /** The titles of axes that are longer than the picture of their plot. */
     private static final String CUT_TITLES = """
-            const {energy, phase, comparison, distances} = window.lab;
-            return [energy, phase, comparison, distances].map(one => one.plot)
+            const {energy, phase, distances} = window.lab;
+            return [energy, phase, distances].map(one => one.plot)
               .filter(plot => plot.root.offsetParent).flatMap(plot => plot.axes.slice(1).filter(({label}) => {
                 const size = parseFloat(getComputedStyle(document.body).getPropertyValue('--type'));
                 plot.ctx.font = 'bold ' + size * devicePixelRatio + 'px system-ui, sans-serif';

@@ -82,11 +82,6 @@ final class History {
         return List.copyOf(frames.tailMap(time, false).values());
     }
 
-    /** The time of the moment that was kept so many moments before the latest, or of the first (s). */
-    double before(int moments) {
-        return List.copyOf(frames.keySet()).get(Math.max(0, frames.size() - 1 - moments));
-    }
-
     /** The shortest time between two moments kept (s); 0 if all are. */
     double getInterval() {
         return interval;

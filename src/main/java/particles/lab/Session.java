@@ -45,7 +45,6 @@ import particles.spec.messages.Problems;
 public final class Session {
     private static final double ABSOLUTE_PART = 1e-3;
     private static final double NANOSECONDS = 1e6;
-    private static final int LAST_STEPS = 30;
 
     private final ClassNames classes;
     private LabRun run;
@@ -165,12 +164,6 @@ public final class Session {
     @JSExport
     public void look(double time) {
         shown = run.getHistory().at(time);
-    }
-
-    /** @return the time from which on the last steps of a run are shown slowly (s) */
-    @JSExport
-    public double lastSteps() {
-        return run.getHistory().before(LAST_STEPS);
     }
 
     /**

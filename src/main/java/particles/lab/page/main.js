@@ -7,7 +7,7 @@ import {Gallery} from './gallery.js';
 import {listen, toggleFullScreen} from './keys.js';
 import {save} from './packing.js';
 import {makeView} from './view.js';
-import {ComparisonPlot, EnergyPlot, PhasePlot} from './plots.js';
+import {DistancePlot, EnergyPlot, PhasePlot} from './plots.js';
 import {COLOURS, Panels, captionOf, differs, momentOf} from './panels.js';
 import {Editor} from './editor.js';
 import {Hand} from './hand.js';
@@ -41,8 +41,7 @@ const editor = new Editor($('text'), edited);
 const parameters = new Parameters(editor);
 const stability = new Stability(engine), settings = new Settings(change, stability);
 const panels = new Panels(engine, panelsChanged, heard);
-const comparison = new ComparisonPlot($('comparison'), 'energy change (J)', false);
-const distances = new ComparisonPlot($('distances'), 'distance (m)', true);
+const distances = new DistancePlot($('distances'));
 const nearest = new Nearest(engine, distances);
 const phase = new PhaseSpace(phasePlot, engine, question => { player.tell(question); panels.tell(question); },
     () => panels.all.length, () => address.changed());
@@ -266,7 +265,6 @@ function shown(message) {
   }
   energy.add(message.energies);
   phasePlot.add(0, message.points);
-  addEnergies(0, message, facts);
   player.show(message);                 // at its end, tables are written of what the plots have
   panels.tell({type: 'follow', time: message.time});
   phase.reach(message.time);
@@ -288,7 +286,6 @@ view.drawn = () => {
 
 /** All runs start anew. */
 function panelsChanged() {
-  $('comparisonSection').hidden = !panels.all.length;
   nearest.close();
   showText(edits);
   resize();
@@ -298,41 +295,23 @@ function panelsChanged() {
   }
 }
 
-/** Names and colours of all runs, and whether they run the scene of the first. */
-function runs() {
-  return [{name: 'run 1: ' + facts.solver, same: true}, ...panels.all.map(({name, choice: {solver, text}}, i) =>
-      ({name: name + ': ' + [solver, text === undefined ? '' : 'own text'].filter(word => word).join(', '),
-        colour: COLOURS[i], same: text === undefined}))];
-}
-
 function pulled(id, point) {
   panels.tell(player.drag(id, point));
 }
 
+/** Compares the runs of one scene, once all are opened. */
 function startNearest() {
-  if (structure && panels.all.length && panels.all.every(panel => panel.facts)) {
-    const openings = [good, ...panels.all.map(panel => panel.opening)];
-    nearest.start(runs().map((run, i) => ({...run, opening: openings[i]})).filter(run => run.same), good, facts,
-        structure);
+  if (structure && panels.all.every(panel => panel.facts)) {
+    nearest.start([{name: 'run 1: ' + facts.solver, opening: good}, ...panels.all
+        .filter(({choice}) => choice.text === undefined).map(({name, index, choice, opening}) =>
+        ({name: name + ': ' + choice.solver, colour: COLOURS[index], opening}))], good, facts, structure);
   }
 }
-
-let firstTotals = [];
 
 function startPlots() {
   energy.start(facts.energies, facts.uniform, facts.duration);
   panels.open(good, facts);
-  comparison.start(runs(), facts.duration);
-  firstTotals = [];
   nearest.close();
-}
-
-/** Adds how the total energy of a run has changed after each step. */
-function addEnergies(run, {energies}, {energies: names}) {
-  for (let r = 0; r < energies.length; r += 1 + names.length) {
-    firstTotals[run] ??= energies[r + 1];
-    comparison.add(run, energies[r], energies[r + 1] - firstTotals[run]);
-  }
 }
 
 /** What another run tells. */
@@ -348,7 +327,6 @@ function heard(i, message) {
     }
     startNearest();
   } else if (message.type === 'frame' && panel.facts) {
-    addEnergies(i + 1, message, panel.facts);
     phasePlot.add(i + 1, message.points);
   } else if (message.type === 'phase') {
     phase.answer(i + 1, message);
@@ -362,7 +340,7 @@ const hear = ({data}) => ({
   frame: () => shown(data),
   table: () => save(nameOfRun() + '.csv', data.table),
   phase: () => phase.answer(0, data),
-  paused: () => player.rest(),
+  paused: () => { player.waiting = Infinity; },
   particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => player.fail(data.message)
 })[data.type]?.();
@@ -414,7 +392,7 @@ function showEditor(on) {
   resize();
 }
 
-const plots = [energy, phasePlot, comparison, distances];
+const plots = [energy, phasePlot, distances];
 const resize = () => [view, ...plots, panels, stability].forEach(part => part.resize());
 addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
@@ -435,7 +413,7 @@ function draw(now = 0) {
 }
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
-window.lab = {player, view, energy, phase: phasePlot, comparison, distances, panels, engine, address};  // for tests
+window.lab = {player, view, energy, phase: phasePlot, distances, panels, engine, address};  // for tests
 settings.list(SOLVERS);
 panels.list(SOLVERS);
 location.hash ? address.read().then(found => found || openFirst()) : openFirst();

@@ -37,6 +37,7 @@ export class Nearest {
 
   close() {
     this.worker?.terminate();
+    $('nearestSection').hidden = true;
     $('nearest').textContent = '';
   }
 
@@ -47,7 +48,7 @@ export class Nearest {
       this.plot.add(run, sample.time, distance(sample, this.samples[0][this.samples[who].length - 1]));
     }
     const isDone = this.samples.at(-1).length > SAMPLES;
-    $('nearest').textContent = isDone ? this.verdict() : 'The runs are being compared ...';
+    $('nearest').textContent = isDone ? this.verdict() : '...';
   }
 
   /** Whether a sample is of a run that goes on, and of the particles that the scene begins with. */

@@ -52,7 +52,7 @@ export class Player {
       this.worker.terminate();
       this.worker = this.renew();
     }
-    this.rest();
+    this.waiting = Infinity;
     this.autoplay = play;
     this.pulled = false;
     this.setPlaying(false);
@@ -112,11 +112,6 @@ export class Player {
     this.autoplay = false;
     this.tell({type: 'pause'});
     this.setPlaying(false);
-  }
-
-  /** The worker does nothing until it is asked. */
-  rest() {
-    this.waiting = Infinity;
   }
 
   startOrPause() {

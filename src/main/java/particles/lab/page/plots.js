@@ -7,7 +7,7 @@ const COLOURS = ['#d55e00', '#0072b2'];
 const OF_ENERGIES = {total: COLOURS[0], kinetic: COLOURS[1], gravity: '#009e73', springs: '#cc79a7',
   attraction: '#e69f00', cohesion: '#56b4e9', penaltyPlane: '#6900ff', penaltySphere: '#b41e2d', repulsion: '#96b45a',
   'numerical error': '#7f7f7f'}, OF_OWN = '#4b78ff';
-const MORE = ['#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
+const MORE = Object.values(OF_ENERGIES).slice(2);
 const MOST = 4000;                      // points of a curve; then every second is dropped
 const FEW = 150;                        // points that are dots as well
 
@@ -17,12 +17,10 @@ const short = v => v === null ? ''
 /** How large the type is, and how thick lines are with it, where 1 is usual. */
 const scale = () => parseFloat(getComputedStyle(document.body).getPropertyValue('--type')) / 12;
 const axes = (x, y) => [x, y].map((label, i) => ({label,
-  values: (u, values) => i && !isMoving(u) ? [] : values.map(short),
+  values: (u, values) => i && u.data[0]?.length < 2 ? [] : values.map(short),       // of one moment they mean nothing
   size: (i ? 62 : 44) * scale(), labelSize: 20 * scale(), font: 12 * scale() + 'px system-ui, sans-serif',
   labelFont: 'bold ' + 12 * scale() + 'px system-ui, sans-serif', stroke: () => ink('--ink'),
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
-/** Whether there is more than a first moment; before that, the numbers of an axis would mean nothing. */
-const isMoving = u => u.data.some(one => (one?.[0]?.length ?? one?.length) > 1);
 const size = element => ({width: Math.max(240, element.clientWidth),
   height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
 export const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
@@ -144,33 +142,28 @@ function thin(curve) {
 const line = (label, stroke) => ({facets: ['x', 'y'].map(scale => ({scale, auto: true})), label, stroke,
   width: 1.5 * scale(), paths: polyline(false)});
 
-/** One curve for each of several runs. */
-export class ComparisonPlot {
-  /** label: of the vertical axis; logarithmic: whether that axis is */
-  constructor(element, label, logarithmic) {
-    Object.assign(this, {element, label, logarithmic});
+/** The distances of several runs from a reference. */
+export class DistancePlot {
+  constructor(element) {
+    this.element = element;
   }
 
   /** runs: the name of each, and the colour of each but the first; duration: of the scene (s) */
   start(runs, duration) {
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
-    const [time, value] = axes('time (s)', this.label);
-    this.plot = new uPlot({...size(this.element), mode: 2,
-      axes: [time, {...value, ...(this.logarithmic && {splits: decades})}],
-      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : duration]},
-        y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
+    const [time, distance] = axes('time (s)', 'distance (m)');
+    this.plot = new uPlot({...size(this.element), mode: 2, axes: [time, {...distance, splits: decades}],
+      scales: {x: {time: false, range: [0, duration]}, y: {distr: 3}}, cursor: {show: false},
       legend: {show: true, live: false},
       series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => line(name, colour))]}, this.data, this.element);
   }
 
-  /** A point of a run's curve, later than all before; others are left out. */
-  add(run, time, value) {
-    const curve = this.data?.[1 + run];
-    if (curve && !(time <= curve[0].at(-1)) && !(this.logarithmic && value <= 0)) {
-      curve[0].push(time);
-      curve[1].push(value);
-      thin(curve);
+  /** A point of a run's curve; 0 has no place on the axis. */
+  add(run, time, metres) {
+    if (metres > 0) {
+      this.data[1 + run][0].push(time);
+      this.data[1 + run][1].push(metres);
       this.stale = true;
     }
   }
@@ -301,7 +294,7 @@ export class PhasePlot {
     const period = this.quantities[0].what < 0 ? lastPeriod(this.curves[0].slice(1)) : null;
     this.data[3] = [0, 1].map(k => [this.now?.[k] ?? NaN, ...(period?.map(point => point[k]) ?? [])]);
     const [[t0, high], [, low], [t1]] = period ?? [[], [], []];
-    $('period').textContent = period ? `From the last maximum but one to the last: period ${few(t1 - t0)} s, amplitude `
+    $('period').textContent = period ? `Between the last two maxima: period ${few(t1 - t0)} s, amplitude `
         + few((high - low) / 2) + ' ' + this.quantities[1].unit : '';
   }
 

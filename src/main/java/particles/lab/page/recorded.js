@@ -22,9 +22,7 @@ function find(time) {
   return low;
 }
 
-const LAST_STEPS = 30;
 const particle = () => '{}', drag = () => {}, setEndless = () => {};
-const lastSteps = () => times[Math.max(0, last - LAST_STEPS)];
 
 function open() {
   look(times[0]);
@@ -84,5 +82,5 @@ const values = (what, id, other, after) => Float32Array.from([...moments.keys()]
     .map(momentOf).concat({...momentOf(at), time: now, state: state()})
     .map(moment => value(what, moment, id, other)));
 
-const session = () => ({open, advance, between: advance, look, lastSteps, step, drag, setEndless, particle, status,
+const session = () => ({open, advance, between: advance, look, step, drag, setEndless, particle, status,
   state, states, energies, structureNumber, ids, structure, values});

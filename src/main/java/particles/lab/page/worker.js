@@ -2,7 +2,7 @@
 // Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
 const engine = session();               // the lab's Session, or what was recorded of one
 const SLICE = 25;                       // milliseconds of steps between two messages, at most
-const ENDING = 4000;                    // milliseconds that the last steps of a run that fails are shown for
+const ENDING = 4000, LAST_STEPS = 30;   // milliseconds that the last steps of a run that fails are shown for
 let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null, stops = false, pull = null;
 let followed = 0;                       // the moment of another run that this one has gone to
 let ending = null;                      // how the last steps of a run that has failed are shown
@@ -74,7 +74,8 @@ function tick() {
   engine.advance(target, SLICE);
   const {reached, failure} = JSON.parse(engine.status());
   if (failure) {
-    ending = {began: now, from: engine.lastSteps(), to: reached};
+    const times = engine.values(-1, '', '', -1);         // and that of the moment shown
+    ending = {began: now, from: times[Math.max(0, times.length - 2 - LAST_STEPS)], to: reached};
     end(now);
     return;
   }
