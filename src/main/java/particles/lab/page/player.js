@@ -155,7 +155,6 @@ export class Player {
   show(frame) {
     this.frame = frame;
     this.looking = Boolean(frame.looking);
-    this.waiting = this.playing ? performance.now() : Infinity;
     $('time').max = Math.max($('time').max, frame.reached);
     $('time').value = frame.time;
     $('clock').textContent = few(frame.time) + ' s';
@@ -172,6 +171,7 @@ export class Player {
     } else if (frame.over || frame.failure) {
       this.setPlaying(false);
     }
+    this.waiting = this.playing ? performance.now() : Infinity;
     this.showStart();
   }
 
@@ -180,6 +180,7 @@ export class Player {
     if (this.frame) {
       this.frame.failure = message;
     }
+    this.waiting = Infinity;
     this.setPlaying(false);
     $('message').textContent = 'Internal error; please report it: ' + message;
   }
