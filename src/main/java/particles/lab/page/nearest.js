@@ -22,7 +22,7 @@ export class Nearest {
       return;
     }
     this.plot.start(runs, facts.duration);
-    Object.assign(this, {runs, samples: openings.map(() => []), duration: facts.duration});
+    Object.assign(this, {runs, samples: openings.map(() => [])});
     // one after the other, away from the runs that are seen: so all are whole, on a slow computer too
     this.worker = new Worker(this.engine);
     this.worker.onmessage = ({data}) => data.facts?.errors ? this.close()
