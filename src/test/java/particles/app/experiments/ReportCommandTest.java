@@ -105,6 +105,17 @@ class ReportCommandTest {
         assertHas(page(), "internal error", "odd");
     }
 
+    /** Its limits are measured on springs, as they are in a scene. */
+    @Test
+    void aClassOfYourOwnHasItsLimits() throws IOException {
+        Screen screen = Screen.of(List.of(new ReportCommand(List.of(new DeclaredCommand(Experiment.STABILITY)))),
+                OptionStyle.GRADLE, "report", "--out=" + top.resolve("report"),
+                "--solvers=rk4,particles.experiments.stability.StabilityLimitsTest$Heun");
+        assertEquals(ExitCode.DONE, screen.code(), screen.err());
+        assertHas(page(), "StabilityLimitsTest$Heun", "always grows: 1.25e-5 a step");
+        assertFalse(page().contains("could not be made"));
+    }
+
     @Test
     void fullDiskEndsAll() {
         OutputException full = new OutputException(top, "write", new IOException("no space left"));
