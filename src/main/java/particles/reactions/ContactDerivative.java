@@ -1,6 +1,8 @@
 package particles.reactions;
 
+import java.util.Optional;
 import particles.law.Particles;
+import particles.law.Scales;
 import particles.law.Scales.Skin;
 import particles.law.Vector3;
 import particles.reactions.Friction.Law;
@@ -24,8 +26,9 @@ final class ContactDerivative {
     private final Vector3 total;                        // with normal forces
     private final Push[] pushes;
     private final Vector3[] duals;
-    private final Vector3 axis;                         // of the body, along the surfaces
-    private final double length;                        // of the body
+    private final Vector3 body;                         // its vector (m), 0 without scales
+    private final Vector3 axis;                         // its part along the surfaces
+    private final Skin skin;
     private final Vector3[] turns;                      // dN
     private Vector3 longer;                             // the change of the body's axis
 
@@ -50,9 +53,10 @@ final class ContactDerivative {
             duals[r] = dual(r);
         }
         total = sum;
-        Vector3 body = sliding.axis(i, state);
-        length = body.length();
+        Optional<Scales> scales = sliding.scalesOf(i);
+        body = scales.map(s -> s.axis(state)).orElse(Vector3.ZERO);
         axis = along(body);
+        skin = scales.map(s -> s.skin(body.length(), axis)).orElse(Skin.SMOOTH);
     }
 
     /** The part of a normal that is perpendicular to the others, by its square; 0 for one that depends on others. */
@@ -195,7 +199,6 @@ final class ContactDerivative {
 
         /** @param u decides between the factors forward and backward */
         Stretch(Vector3 u) {
-            Skin skin = sliding.skin(i, length, axis);
             c = skin.across();
             along = axis.dot(u) < 0 ? skin.backward() : skin.forward();
             h = axis.isZero() ? 0 : (along - c) / axis.dot(axis);
@@ -211,7 +214,6 @@ final class ContactDerivative {
             if (h == 0) {
                 return du.times(c);
             }
-            Vector3 body = sliding.axis(i, state);
             Vector3 dAxis = ContactDerivative.this.along(body, longer);
             double dH = -2 * h * body.dot(longer) / body.dot(body);
             double part = axis.dot(u);
@@ -230,7 +232,7 @@ final class ContactDerivative {
          * y with B = S<sup>-2</sup>, so (1 + m B) dy = dn - m dB y - dm B y.
          */
         Vector3 balance(Vector3 n, Vector3 dn, double most, double dMost) {
-            Vector3 y = sliding.skin(i, length, axis).balance(n, most);
+            Vector3 y = skin.balance(n, most);
             double m = n.minus(y).dot(y) / (most * most);
             Vector3 z = inverse(y, 1);
             Vector3 by = inverse(y, 2);

@@ -2,7 +2,9 @@ package particles.reactions;
 
 import deSolvers.ForceDerivatives;
 import java.util.Arrays;
+import java.util.Optional;
 import particles.law.Particles;
+import particles.law.Scales;
 import particles.law.Vector3;
 import particles.reactions.ContactDerivative.Push;
 
@@ -95,11 +97,13 @@ final class LoneContacts {
         for (int k = 0; k < count; k++) {
             int i = touching[k];
             SlidingFriction sliding = contacts.getSliding();
+            Optional<Scales> scales = sliding.scalesOf(i);
+            int end = scales.map(s -> s.head() == i ? 1 : -1).orElse(0);     // how its place enters the body's axis
             ContactDerivative derivative = new ContactDerivative(sliding, i, particles.mass(i), state,
                     Vector3.at(force, Particles.STRIDE * i + 3), pushes(k, state, time, force));
             for (int c = 0; c < 3; c++) {
                 Vector3 unit = new Vector3(c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
-                Vector3 body = unit.times(sliding.end(i));
+                Vector3 body = unit.times(end);
                 Vector3[] columns = {derivative.change(unit, Vector3.ZERO, Vector3.ZERO, Vector3.ZERO),
                     derivative.change(Vector3.ZERO, unit, Vector3.ZERO, body),
                     derivative.change(Vector3.ZERO, Vector3.ZERO, unit, Vector3.ZERO),
@@ -113,9 +117,7 @@ final class LoneContacts {
             }
             derivatives.transformRow(i, matrices[0]);
             derivatives.add(i, i, matrices[1], matrices[2]);
-            if (sliding.neighbour(i) >= 0) {
-                derivatives.add(i, sliding.neighbour(i), matrices[3], NONE);
-            }
+            scales.ifPresent(s -> derivatives.add(i, s.tail() + s.head() - i, matrices[3], NONE));
         }
     }
 

@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import java.util.Arrays;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Scales;
@@ -42,24 +43,9 @@ final class SlidingFriction {
         return i < scales.length && scales[i] != null;
     }
 
-    /** The other particle on which the body's axis depends at a particle; -1 without scales. */
-    int neighbour(int i) {
-        return hasScales(i) ? scales[i].tail() + scales[i].head() - i : -1;
-    }
-
-    /** The change of the body's axis where a particle moves by 1 m along it: 1 at the head, -1 at the tail. */
-    int end(int i) {
-        return !hasScales(i) ? 0 : scales[i].head() == i ? 1 : -1;
-    }
-
-    /** The vector along a particle's body (m); 0 without scales. */
-    Vector3 axis(int i, double[] state) {
-        return hasScales(i) ? scales[i].axis(state) : Vector3.ZERO;
-    }
-
-    /** The skin of a particle whose body has a length and a part along the surfaces (m). */
-    Skin skin(int i, double length, Vector3 along) {
-        return hasScales(i) ? scales[i].skin(length, along) : Skin.SMOOTH;
+    /** The scales of a particle. */
+    Optional<Scales> scalesOf(int i) {
+        return hasScales(i) ? Optional.of(scales[i]) : Optional.empty();
     }
 
     /** A particle's velocity at the beginning of the step (m/s); 0 if none has begun. */
