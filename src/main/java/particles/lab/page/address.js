@@ -60,7 +60,10 @@ export class Address {
         ?? 'The link is in the address bar; copy it there.';
     const file = make('button', {type: 'button', textContent: 'Save lab.json', onclick: () => save('lab.json',
         new Blob([JSON.stringify(this.describe())], {type: 'application/json'}))});
-    this.tell(done, ...(link !== null && !isLocal ? [] : [isLocal ? ' This page is a file, so links work on this '
-        + 'machine alone. ' : ' ', 'Send a file instead, which "Open" above the scene\'s text opens: ', file]));
+    const embed = make('input', {type: 'text', readOnly: true, ariaLabel: 'To embed',
+      value: `<iframe src="${link}" width="1000" height="700"></iframe>`});
+    this.tell(done, ...(link !== null && !isLocal ? [' To embed: ', embed] : [
+        isLocal ? ' This page is a file, so links work on this machine alone. ' : ' ',
+        'Send a file instead, which "Open" above the scene\'s text opens: ', file]));
   }
 }

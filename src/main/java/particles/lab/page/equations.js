@@ -21,14 +21,15 @@ const span = numbers => [...new Set([Math.min(...numbers), Math.max(...numbers)]
 
 /** solver: its name; laws: those that the scene names; structure: the particles and springs */
 export function showEquations({solver, laws}, {stiffness, restLengths}) {
-  const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity), of = column => springs.map(s => column[s]);
+  const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity);
+  const of = column => springs.map(s => column[s]);
   const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
     'l = ' + span(of(restLengths)) + ' m']}] : []), ...laws.map(({name, numbers}) => ({name,
     lines: numbers.map(([key, value, unit]) => `${key} = ${shown(value)} ${unit.replace('^2', '²')}`)}))];
   $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
-    make('h3', {textContent: name}),
+    make('h2', {textContent: name}),
     ...FORMULAS[name].split('\n').map(line => make('p',
         {innerHTML: line.trim().split(/ {2,}/).map(typeset).join(' &emsp;')})),
     make('p', {className: 'soft', textContent: lines.join(', ')})]),
-    ...(FORMULAS[solver] ? [make('h3', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
+    ...(FORMULAS[solver] ? [make('h2', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
 }

@@ -22,7 +22,6 @@ import {Film, Rates, offer} from './saving.js';
 import {Settings} from './settings.js';
 import {Stability} from './stability.js';
 import {columnsOf} from './structure.js';
-import {Table} from './tables.js';
 import {ofPage} from './words.js';
 
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
@@ -45,8 +44,7 @@ const distances = new DistancePlot($('distances'));
 const nearest = new Nearest(engine, distances);
 const phase = new PhaseSpace(phasePlot, engine, question => { player.tell(question); panels.tell(question); },
     () => panels.all.length, () => address.changed());
-const tables = [new Table($('energyTable'), () => energy.table()), new Table($('phaseTable'), () => phasePlot.table())];
-const film = new Film($('view'), note), rates = new Rates();
+const film = new Film(view, linesOfFilm, note), rates = new Rates();
 const lecture = new Lecture({describe: beforeLecture, open: openState, ended: () => open(), resize: () => resize()});
 const address = new Address(describe, openState, note);
 
@@ -89,9 +87,9 @@ function openText(newText, settings = {}) {
 /** The state of the page; what is as in the page's own scene is left out. */
 function describe() {
   const scene = $('scene').value;
-  return {scene: scene.replace('.yaml', ''), ...(text !== textOf(scene) && {text}), ...chosen, time: player.playing ? 0 : player.frame?.time,
-    panels: panels.describe(), equalWork: $('equalWork').checked, camera: view.camera?.describe(),
-    ...phase.describe(), ...(lecture.on && {lecture: lecture.slide})};
+  return {scene: scene.replace('.yaml', ''), ...(text !== textOf(scene) && {text}), ...chosen,
+    time: player.playing ? 0 : player.frame?.time, panels: panels.describe(), equalWork: $('equalWork').checked,
+    camera: view.camera?.describe(), ...phase.describe(), ...(lecture.on && {lecture: lecture.slide})};
 }
 
 /** What the page goes back to when a lecture ends. */
@@ -234,7 +232,6 @@ $('textOf').onchange = () => {
 
 function paused() {
   if (structure) {
-    tables.forEach(table => table.draw(Infinity));
     phase.ask();
     address.changed();
   }
@@ -265,7 +262,7 @@ function shown(message) {
   }
   energy.add(message.energies);
   phasePlot.add(0, message.points);
-  player.show(message);                 // at its end, tables are written of what the plots have
+  player.show(message);
   panels.tell({type: 'follow', time: message.time});
   phase.reach(message.time);
   const particle = structure.ids.indexOf(phase.id);
@@ -380,6 +377,12 @@ $('open').onchange = async () => {
 
 /** Scene and solver, in the names of files. */
 const nameOfRun = () => $('scene').value.replace(/\.yaml$/, '') + '-' + facts.solver;
+/** What is written into pictures and films: also the address, where others can open it. */
+function linesOfFilm() {
+  return [facts.title, captionOf(facts) + momentOf(player.frame),
+    ...(location.protocol === 'file:' ? [] : [location.href.replace(/&more=.*/, '')])];
+}
+
 offer(nameOfRun, film, energy, phasePlot);
 $('saveTable').onclick = () => player.tell({type: 'table', energies: facts.energies});
 $('savePicture').disabled = $('film').disabled = !view.camera;          // without WebGL there is none
@@ -407,7 +410,6 @@ function draw(now = 0) {
     plotted = now;
     plots.forEach(plot => plot.draw());
     structure && showBars(energy, player.frame.time);
-    tables.forEach(table => player.playing && table.draw(now));
   }
   requestAnimationFrame(draw);
 }

@@ -64,7 +64,8 @@ export class Parameters {
 
   /** The gravity of well-known places. */
   places(slider) {
-    slider.place = make('select', {ariaLabel: 'Gravity of', onchange: ({target: {value}}) => slider.take(Number(value))});
+    slider.place = make('select', {ariaLabel: 'Gravity of',
+      onchange: ({target: {value}}) => slider.take(Number(value))});
     slider.place.append(...Object.entries(PLACES).map(([name, value]) => new Option(name, value)));
     slider.place.options[0].disabled = true;
     return slider.place;
@@ -74,7 +75,8 @@ export class Parameters {
 /** Numbers with the same key, owner and value are one parameter: all masses of a bag of equal balls. */
 function parametersOf(numbers, lines) {
   const isSet = numbers.some(({line, key}) => line < 1 && / of 'acceleration'/.test(key));        // beside the text
-  const byPlace = new Map(numbers.filter(({line}) => line > 0).map(number => [number.line + ':' + number.column, number]));
+  const byPlace = new Map(numbers.filter(({line}) => line > 0)
+      .map(number => [number.line + ':' + number.column, number]));
   const groups = new Map(), gravity = [];
   lines.forEach((text, i) => {
     const [all, before, written, value] = GRAVITY.exec(text) ?? [];

@@ -108,13 +108,6 @@ export class EnergyPlot {
     return columns;
   }
 
-  /** The names of the columns that are not all 0, and their numbers. */
-  table() {
-    const kept = this.data.map((column, i) => i).filter(i => i === 0 || this.plot.series[i].show);
-    const columns = this.shown();
-    return [kept.map(i => i ? this.plot.series[i].label + ' (J)' : 'time (s)'), kept.map(i => columns[i])];
-  }
-
   setLogarithmic(on) {
     this.logarithmic = on;
     this.build();
@@ -277,11 +270,6 @@ export class PhasePlot {
       this.now = points.slice(1, 3).map(column => column.at(-1));
     }
     this.stale = true;
-  }
-
-  /** The names of the columns, and their numbers. */
-  table() {
-    return [this.names, this.curves[0]];
   }
 
   setReference([, ...points]) {

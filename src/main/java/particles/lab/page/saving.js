@@ -2,14 +2,11 @@
 import {$, few, ink} from './dom.js';
 import {save} from './packing.js';
 
-const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30, WIDTH = 1920, HEIGHT = 1080;
+const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30, WIDTH = 1920, HEIGHT = 1080, LINE = 36;
 
-/** The picture with its arrows and labels, on a canvas of its own or on one that is given. */
-function composed(element, canvas = document.createElement('canvas')) {
+/** Draws the picture with its arrows and labels on a canvas, and lines of text below. */
+function compose(element, canvas, lines) {
   const picture = element.querySelector('canvas'), scale = picture.width / element.clientWidth;
-  if (canvas.width !== picture.width || canvas.height !== picture.height) {
-    Object.assign(canvas, {width: picture.width, height: picture.height});
-  }
   const c = canvas.getContext('2d');
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.drawImage(picture, 0, 0);
@@ -36,7 +33,11 @@ function composed(element, canvas = document.createElement('canvas')) {
     c.fillStyle = plain ? INK : color;
     c.fillText(name.textContent, box.left - corner.left + (plain ? 0 : 3), (box.top + box.bottom) / 2 - corner.top);
   }
-  return canvas;
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  Object.assign(c, {font: LINE * 0.7 + 'px system-ui, sans-serif', fillStyle: PAPER, globalAlpha: 0.85});
+  c.fillRect(0, HEIGHT - LINE * lines.length, Math.max(...lines.map(line => c.measureText(line).width)) + LINE, HEIGHT);
+  Object.assign(c, {fillStyle: INK, globalAlpha: 1});
+  lines.forEach((line, i) => c.fillText(line, LINE / 2, HEIGHT + LINE * (i + 0.5 - lines.length)));
 }
 
 /** Draws a plot once as wide as a picture; with a ground, as its own canvas has none, and the names of its curves. */
@@ -75,16 +76,34 @@ const savePicture = (name, canvas) => canvas.toBlob(blob => save(name + '.png', 
 
 /** The buttons that save pictures. name(): the beginning of the files' names */
 export function offer(name, film, energy, phase) {
-  $('savePicture').onclick = () => savePicture(name(), composed($('view')));
+  $('savePicture').onclick = () => savePicture(name(), film.picture());
   $('saveEnergy').onclick = async () => savePicture(name() + '-energy', await plotImage(energy));
   $('savePhase').onclick = async () => savePicture(name() + '-phase', await plotImage(phase));
   $('film').onclick = () => film.toggle(name);
 }
 
 export class Film {
-  /** element: the picture; told(text): what there is to say */
-  constructor(element, told) {
-    Object.assign(this, {element, told});
+  /** view: the picture; lines(): what is written into it; told(text): what there is to say */
+  constructor(view, lines, told) {
+    Object.assign(this, {view, lines, told});
+  }
+
+  /** Gives the picture the size of films, or its own again. */
+  resize(on) {
+    const {view: {element, renderer}} = this, {clientWidth, clientHeight} = element.parentElement;
+    const width = 16 * Math.floor(Math.min(clientWidth / 16, clientHeight / 9));
+    Object.assign(element.style, on ? {width: width + 'px', height: 9 * width / 16 + 'px'} : {width: '', height: ''});
+    renderer.setPixelRatio(on ? (WIDTH + 0.5) / width : Math.min(2, devicePixelRatio));       // it is rounded down
+    this.view.resize();
+    this.view.draw();
+  }
+
+  picture() {
+    const canvas = Object.assign(document.createElement('canvas'), {width: WIDTH, height: HEIGHT});
+    this.recorder || this.resize(true);
+    compose(this.view.element, canvas, this.lines());
+    this.recorder || this.resize(false);
+    return canvas;
   }
 
   /** Starts to record or, if it does, ends and saves the film under the name() of what it ends with. */
@@ -99,13 +118,15 @@ export class Film {
       this.told('This browser cannot record films.');
       return;
     }
-    this.canvas = composed(this.element);
+    this.canvas = this.picture();
+    this.resize(true);
     this.recorder = new MediaRecorder(this.canvas.captureStream(FILM_RATE), {mimeType: type,
       videoBitsPerSecond: 6e6});
     const parts = [];
     this.recorder.ondataavailable = ({data}) => parts.push(data);
     this.recorder.onstop = () => {
       this.recorder = null;
+      this.resize(false);
       $('film').textContent = 'Film';
       this.told('');
       save(name() + (type.includes('mp4') ? '.mp4' : '.webm'), new Blob(parts, {type}));
@@ -118,7 +139,7 @@ export class Film {
   /** The picture has been drawn anew. */
   drawn() {
     if (this.recorder) {
-      composed(this.element, this.canvas);
+      compose(this.view.element, this.canvas, this.lines());
     }
   }
 }
