@@ -113,7 +113,8 @@ class ArchitectureTest {
                                            particles.law particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view org.teavm
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
-            particles.lab.compile:         particles.lab particles.spec org.teavm
+            particles.lab.compile:         deSolvers.catalog particles.effects particles.effects.springs particles.lab
+                                           particles.spec org.teavm
             particles.law:                 deSolvers
             particles.output.animation:    particles particles.output.charts particles.output.files
                                            particles.output.frames particles.view java.awt javax.imageio org.jcodec

@@ -224,7 +224,7 @@ class LabPlayTest extends LabPageTestCase {
         page.openScene("05-hanging-chain");
         assertEquals(List.of("springs", "gravity", "drag", "rk4"), page.script(
                 "return [...document.querySelectorAll('#equations h2')].map(one => one.textContent);"));
-        assertEquals(List.of("F = m g", "acceleration = (0, -9.81, 0) m/s²"), page.script("""
+        assertEquals(List.of("F = m g", "acceleration = (0, -9.81, 0) m/s^2"), page.script("""
                 const head = [...document.querySelectorAll('#equations h2')].find(one => one.textContent === 'gravity');
                 const [formula, numbers] = [head.nextSibling, head.nextSibling.nextSibling];
                 return [formula.querySelector('math').textContent, numbers.textContent];

@@ -53,8 +53,7 @@ public final class PageParts {
                 "style", read(UPLOT + "dist/uPlot.min.css", CODEMIRROR + "lib/codemirror.css", OWN + "lab.css"),
                 "engine", script(" type=\"text/plain\" id=\"engine\"", packed(engine + own("worker.js"))),
                 "scenes", scenes,
-                "stations", script(" type=\"application/json\" id=\"stations\"", own("stations.json"))
-                        + script(" type=\"application/json\" id=\"formulas\"", Formulas.all()),
+                "stations", script(" type=\"application/json\" id=\"stations\"", own("stations.json")),
                 "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
                         + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
                 "modules", modules(),
@@ -112,7 +111,8 @@ public final class PageParts {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
     }
 
-    static String read(String... resources) throws IOException {
+    /** @return the text of resources, one after the other */
+    public static String read(String... resources) throws IOException {
         StringBuilder text = new StringBuilder();
         for (String resource : resources) {
             try (InputStream stream = PageParts.class.getClassLoader().getResourceAsStream(resource)) {

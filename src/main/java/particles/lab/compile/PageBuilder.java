@@ -45,7 +45,7 @@ public final class PageBuilder implements LabBuilder {
 
     @Override
     public String build(Contents contents, Path folder) throws IOException {
-        return PageParts.page(engine(contents.classes(), folder), scenes(contents),
+        return PageParts.page(engine(contents.classes(), folder), scenes(contents) + Formulas.script(),
                 List.of(PageParts.own("licences.txt"), apache()));
     }
 

@@ -1,7 +1,7 @@
 // The equations of the forces that a scene names, typeset, with their numbers; and the solver's formula.
 import {$, few, make} from './dom.js';
 
-const FORMULAS = JSON.parse($('formulas').textContent);         // by name, as in the javadoc of the classes
+const FORMULAS = JSON.parse($('formulas')?.textContent ?? '{}');        // by name; none of a recorded run
 const SIGNS = {'.': '\u22c5', '-': '\u2212', "'": '\u2032', '<': '&lt;', pi: '\u03c0', mu: '\u03bc', lambda: '\u03bb'};
 const WORDS = /[A-Za-z]{2,}(?: [A-Za-z]{2,})+/, ATOM = /([A-Za-z]+|\d[\d.]*|[^\s\w])(?:_(\w+))?(?:\^(\w+|\([^)]*\)))?/;
 const TOKEN = RegExp(WORDS.source + '|' + ATOM.source, 'g');
@@ -25,7 +25,7 @@ export function showEquations({solver, laws}, {stiffness, restLengths}) {
   const of = column => springs.map(s => column[s]);
   const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
     'l = ' + span(of(restLengths)) + ' m']}] : []), ...laws.map(({name, numbers}) => ({name,
-    lines: numbers.map(([key, value, unit]) => `${key} = ${shown(value)} ${unit.replace('^2', '²')}`)}))];
+    lines: numbers.map(([key, value, unit]) => `${key} = ${shown(value)} ${unit}`)}))];
   $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
     make('h2', {textContent: name}),
     ...FORMULAS[name].split('\n').map(line => make('p',

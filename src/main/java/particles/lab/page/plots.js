@@ -216,7 +216,7 @@ export class PhasePlot {
   start(quantities, others = []) {
     const [across, ...up] = quantities;
     const names = up.map(({label, id}) => up.length > 1 ? `${label} of ${id}` : label);
-    Object.assign(this, {quantities, names: ['time (s)', across.label, ...names]});
+    this.quantities = quantities;
     // of each run, the times and the values
     this.curves = [quantities, ...others.map(() => quantities.slice(0, 2))].map(one => [[], ...one.map(() => [])]);
     const [first, ...more] = this.curves, curve = (one, k) => [one[1], one[k]];

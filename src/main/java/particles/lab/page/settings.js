@@ -6,6 +6,7 @@ export class Settings {
   constructor(changed, stability) {
     this.stability = stability;
     const slider = $('deltaT'), typed = $('deltaTNumber');
+    $('tolerance').append(...['1e-3', '1e-4', '1e-6', '1e-8', '1e-10'].map(one => new Option(one, Number(one))));
     $('solver').onchange = () => changed({solver: $('solver').value, tolerance: 0});
     $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
     typed.onchange = () => changed({deltaT: typed.value.trim()});

@@ -1,4 +1,4 @@
-package particles.lab;
+package particles.lab.compile;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.effects.springs.SpringForce;
+import particles.lab.PageParts;
 import particles.spec.JsonText;
 
 /** The formulas of solvers and force laws, as their own javadoc has them: the text between the first pre tags. */
@@ -19,8 +20,8 @@ final class Formulas {
     private Formulas() {
     }
 
-    /** @return the formulas by name, as JSON; the sources of the classes are resources of the tasks that write pages */
-    static String all() throws IOException {
+    /** @return a script with the formulas by name; the sources of the classes are resources beside the page's files */
+    static String script() throws IOException {
         Map<String, Object> all = JsonText.map("springs", of(SpringForce.class));
         for (EffectKind kind : EffectCatalog.ALL) {
             all.put(kind.getName(), of(Optional.<Class<?>>ofNullable(kind.getClass().getEnclosingClass())
@@ -29,7 +30,7 @@ final class Formulas {
         for (SolverInfo solver : SolverCatalog.all()) {
             all.put(solver.name(), of(SolverCatalog.create(solver.name()).getClass()));
         }
-        return JsonText.compact(all);
+        return "<script type=\"application/json\" id=\"formulas\">" + JsonText.compact(all) + "</script>\n";
     }
 
     private static String of(Class<?> type) throws IOException {
