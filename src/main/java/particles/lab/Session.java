@@ -92,9 +92,8 @@ public final class Session {
             byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
             Problems problems = new Problems();
             List<Setting> typed = new ArrayList<>(set.isBlank() ? List.of() : Setting.list(set, "set", problems));
-            if (!deltaT.isEmpty()) {
-                Setting.of(SceneFormat.DELTA_T, deltaT, "deltaT", problems).ifPresent(typed::add);
-            }
+            Optional.of(deltaT).filter(given -> !given.isEmpty()).flatMap(given -> Setting.of(SceneFormat.DELTA_T,
+                    given, "deltaT", problems)).ifPresent(typed::add);
             problems.throwIfAny();
             SceneDescription described = SceneReader.read(file, bytes, classes, typed);
             boolean same = solver.isEmpty() || solver.equals(described.solver());
