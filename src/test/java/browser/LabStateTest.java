@@ -77,7 +77,8 @@ class LabStateTest extends LabPageTestCase {
             page.click("copyLink");
             until("text('note').includes('link is in the')");
             assertEquals(scheme.equals("file"), page.text("note").contains("links work on this machine alone"));
-            assertEquals(scheme.equals("http"), page.script("return document.querySelector('#note input')?.value ?? '';")
+            assertEquals(scheme.equals("http"), page.script(
+                    "return document.querySelector('#note input')?.value ?? '';")
                     .equals("<iframe src=\"" + page.driver().getCurrentUrl()
                     + "\" width=\"1000\" height=\"700\"></iframe>"));
             String link = page.driver().getCurrentUrl();
