@@ -115,6 +115,6 @@ class LabReachTest {
         Map<String, Set<String>> uses = uses();
         assertEquals(Set.of(), unknownFormats(reached(uses, Session.class.getName())));
         Set<String> found = unknownFormats(reached(uses, "particles.app.Main"));
-        assertTrue(found.stream().anyMatch(line -> line.endsWith("formats with %.0e")), "charts do: " + found);
+        assertTrue(found.stream().anyMatch(line -> line.endsWith("formats with %.8g")), "charts do: " + found);
     }
 }

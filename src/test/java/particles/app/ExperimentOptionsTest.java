@@ -50,7 +50,6 @@ class ExperimentOptionsTest {
             'kepler'?
             workPrecision  | '-Pproblem= ,'      | option -Pproblem: choose at least one problem
             workPrecision  | -Psolvers=no.Such   | option -Psolvers:
-            stability      | -Psolvers=deSolvers.RK4Solver | option -Psolvers: your own class is measured in a scene
             stability      | -Pset=deltaT=1      | option -Pset: goes with -Pscene only
             stability      | -Pscene=1           | option -Pscene: this scene has no vibration or damping
             stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: unknown solver 'rk'

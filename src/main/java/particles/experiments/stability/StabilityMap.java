@@ -19,6 +19,8 @@ public final class StabilityMap {
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
+    /** At least this many stripes fill the upper half of a chart, twice as many as their width needs. */
+    private static final int STRIPES = 100;
 
     private final DoubleBinaryOperator modulus;
     private final Window window;
@@ -44,6 +46,12 @@ public final class StabilityMap {
 
     private boolean growsAt(double column, double row) {
         return modulus.applyAsDouble(x(column), y(row)) > 1 + Amplification.ROUNDING;
+    }
+
+    /** Between two rows of the grid; asked only where these differ, because measuring it takes many steps. */
+    private boolean growsIn(int column, double row) {
+        int r = (int) row;
+        return grows[r][column] == grows[r + 1][column] ? grows[r][column] : growsAt(column, row);
     }
 
     /** The x of a column, half a cell off the imaginary axis, so that |R| = 1 on it is a line between grid points. */
@@ -81,17 +89,21 @@ public final class StabilityMap {
      */
     public Series filled(Look look) {
         List<double[]> line = new ArrayList<>();
+        double height = Math.min(1, window.top() / STRIPES / window.cell());
         int last = grows[0].length - 1;
-        for (int row = 1; row < grows.length; row++) {
+        for (double row = (1 + height) / 2; row < grows.length - 1; row += height) {
             double[] start = {x(0), y(row)};
+            boolean grew = growsIn(0, row);
             for (int c = 1; c <= last; c++) {
-                if (grows[row][c] && !grows[row][c - 1]) {
+                boolean grow = growsIn(c, row);
+                if (grow && !grew) {
                     draw(List.of(start, border(c - 1, row, c, row)), line);
-                } else if (grows[row][c - 1] && !grows[row][c]) {
+                } else if (grew && !grow) {
                     start = border(c, row, c - 1, row);
                 }
+                grew = grow;
             }
-            if (!grows[row][last]) {
+            if (!grew) {
                 draw(List.of(start, new double[] {x(last), y(row)}), line);
             }
         }
