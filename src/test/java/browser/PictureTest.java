@@ -76,7 +76,7 @@ class PictureTest extends LabPageTestCase {
                 const [done] = arguments, worker = new Answering(window.lab.engine), told = [];
                 const {textContent: text, dataset: {name, first}} = document.querySelector('[data-first]');
                 worker.onmessage = ({data}) => told.push(data) === 2 && done(plain([told[0].facts, told[1]]));
-                worker.postMessage({type: 'open', file: name, text, solver: first, deltaT: '', tolerance: 0});
+                worker.postMessage({type: 'open', file: name, text, solver: first, deltaT: '', tolerance: 0, set: ''});
                 """));
     }
 
