@@ -71,7 +71,7 @@ class SameResultsTest {
             };
             const next = () => {
               const [file, text, solver, time] = runs[found.length];
-              worker.postMessage({type: 'open', run: time, file, text, solver, deltaT: '', tolerance: 0});
+              worker.postMessage({type: 'open', run: time, file, text, solver, deltaT: '', tolerance: 0, set: ''});
             };
             worker.onmessage = ({data}) => {
               if (data.type === 'opened' && !data.facts.errors) {
