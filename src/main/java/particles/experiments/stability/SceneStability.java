@@ -94,8 +94,8 @@ public final class SceneStability {
      * @return the table: a row for each solver
      */
     public static DataTable table(List<Limit> limits, double deltaT) {
-        return DataTable.of("largest-safe-step", "The longest stable deltaT (s), from the equations, linearised at the"
-                + " scene's start. Growth is that in a step of " + Digits.exact(deltaT) + " s, the scene's deltaT",
+        return DataTable.of("largest-safe-step", "The longest stable deltaT (s), from the equations linearised at the"
+                + " scene's start. Growth is given for a step of " + Digits.exact(deltaT) + " s, the scene's deltaT",
                 limits, column("solver", limit -> limit.solver().label()),
                 column("longest stable deltaT (s)", Limit::text),
                 column("mode that sets it", Limit::mode));

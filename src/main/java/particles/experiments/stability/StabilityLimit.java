@@ -109,8 +109,8 @@ public record StabilityLimit(double value, double growth) {
         }
         if (value == 0) {
             return Double.isNaN(growth) ? "always grows"
-                    : growth < ROUND_OFF ? "no growth above 1e-12 a step"
-                    : Digits.format("always grows: %s a step", Digits.few(growth));
+                    : growth < ROUND_OFF ? "no growth above 1e-12 per step"
+                    : Digits.format("always grows: %s per step", Digits.few(growth));
         }
         return value == Double.POSITIVE_INFINITY ? "unbounded" : Digits.format("%.4f", value);
     }

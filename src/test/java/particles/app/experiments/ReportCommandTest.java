@@ -112,7 +112,7 @@ class ReportCommandTest {
                 OptionStyle.GRADLE, "report", "--out=" + top.resolve("report"),
                 "--solvers=rk4,particles.experiments.stability.StabilityLimitsTest$Heun");
         assertEquals(ExitCode.DONE, screen.code(), screen.err());
-        assertHas(page(), "StabilityLimitsTest$Heun", "always grows: 1.25e-5 a step");
+        assertHas(page(), "StabilityLimitsTest$Heun", "always grows: 1.25e-5 per step");
         assertFalse(page().contains("could not be made"));
     }
 

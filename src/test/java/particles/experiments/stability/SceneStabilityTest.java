@@ -59,7 +59,7 @@ class SceneStabilityTest {
         Limit limit = limits(chain(10, ""), solver).get(0);
         assertEquals(0, limit.deltaT());
         assertEquals(1, limit.growth() / growth, 1e-5, limit.toString());
-        assertEquals("always grows: " + Digits.few(growth) + " a step",
+        assertEquals("always grows: " + Digits.few(growth) + " per step",
                 SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1));
     }
 

@@ -113,7 +113,7 @@ class StabilityLimitsTest {
     /** R = 1 - h + h^2/2 exceeds 1 beyond h = 2, and is over 1 by h^4/8 on the imaginary axis. */
     @Test
     void theTableHasAClassOfYourOwnOnSprings() {
-        assertEquals(List.of("StabilityLimitsTest$Heun", "-", "-", "-", "always grows: 1.25e-5 a step", "-", "2.0000",
+        assertEquals(List.of("StabilityLimitsTest$Heun", "-", "-", "-", "always grows: 1.25e-5 per step", "-", "2.0000",
                 "springs"), StabilityLimit.table(SolverChoice.list(Heun.class.getName()), NOBODY).rows().get(0));
     }
 
@@ -126,7 +126,7 @@ class StabilityLimitsTest {
         assertEquals("0.7400", verlet.get(5));
         assertEquals(0.74, Double.parseDouble((String) verlet.get(6)), 0.005);
         List<Object> bulirschStoer = table.rows().get(SolverCatalog.names().indexOf("bulirsch-stoer"));
-        assertEquals("no growth above 1e-12 a step", bulirschStoer.get(4));
+        assertEquals("no growth above 1e-12 per step", bulirschStoer.get(4));
         List<Object> implicit = table.rows().get(SolverCatalog.names().indexOf("backward-euler"));
         assertEquals(List.of("unbounded", "unbounded", "unbounded", "unbounded"), implicit.subList(1, 5));
     }
