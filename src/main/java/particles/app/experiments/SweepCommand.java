@@ -59,7 +59,7 @@ public final class SweepCommand extends ExperimentCommand {
     private String vary;
 
     @Option(names = "--measure", paramLabel = "MEASURE, ...", required = true, description = "What is measured of each"
-            + " run, such as 'max x of block, energy lost'; a wrong one lists all of them.")
+            + " run, such as 'min x of block, energy lost'; a wrong one lists all of them.")
     private String measure;
 
     @Option(names = "--part", paramLabel = "K/N", split = "/",
