@@ -20,7 +20,8 @@ enum Experiment {
             asked -> StateSpaceExperiments.phasePlots(asked)),
     ENERGY_DRIFT("energyDrift", "Compares how well solvers keep the energy of a scene.", """
             The energy error is the change of the total energy minus the work of drag, damping, wind, contacts and \
-            collisions: the solver's own error, divided by the largest kinetic plus stored energy of the run.""",
+            collisions: the solver's own error. It is divided by the largest kinetic plus stored energy of an \
+            accurate run.""",
             Set.of("--scene", "--set", "--solvers"), "undamped-net", "all", asked -> Experiments.energyDrift(asked)),
     RACE("race", "Runs solvers with equal work on a scene, side by side in one animation.", """
             Equal work: every solver gets as many evaluations of the derivative as rk4 needs at the scene's step, or \
@@ -37,14 +38,14 @@ enum Experiment {
             pay with the energy of the stiff vibration.""",
             Set.of("--solvers"), "", "all", asked -> Experiments.stiffGallery(asked)),
     STABILITY("stability", "Measures the longest stable step of each solver.", """
-            Every limit is measured on the solver's code, by bisection on the test equation y' = lambda y, or on a \
-            damped spring with these eigenvalues for symplectic solvers and your own: a spring without damping lies \
+            Every limit is measured on the solver's code, by bisection: on the test equation y' = lambda y or, for \
+            symplectic solvers and your own, on a damped spring with eigenvalue lambda. A spring without damping lies \
             on the imaginary axis, pure decay on the negative real axis. One sub-step of an adaptive solver is \
             measured.""",
             Set.of("--scene", "--set", "--solvers"), "", "all", asked -> StabilityExperiment.plan(asked)),
     EFFECT_COST("effectCost", "Measures what each effect adds to the time of a step.", """
-            A scene pays for what it names and for nothing else: this is a cloth with rk4, and one effect or rule \
-            more at a time.""",
+            A scene pays only for what it names: a cloth is timed with rk4, first with springs alone, then with one \
+            more effect or rule at a time.""",
             Set.of(), "", "all", asked -> Experiments.effectCost(asked)),
     STIFF_CLOTH("stiffCloth", "Times a frame of ever stiffer cloth: RK4 against backward Euler with one step a frame.",
             """

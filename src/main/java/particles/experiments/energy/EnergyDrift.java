@@ -18,16 +18,14 @@ import particles.view.Look;
 
 /**
  * Compares the energy drift of solvers on a scene. The drift is the energy ledger's numerical error - the change that
- * neither drag nor bounces nor any other work explains - relative to the largest energy of the run.
+ * neither drag nor bounces nor any other work explains - relative to the largest energy of an accurate run.
  */
 public final class EnergyDrift {
     /** Below this part of the scale, errors are round-off. */
     private static final double ROUNDING = 1e-12;
     /** The same for long runs: half a unit in the last place, always to the same side, in each step. */
     private static final double ROUNDING_OF_A_STEP = 0x1p-53;
-    /**
-     * The error drifts if its best straight line rises by more than this many times the scatter about it.
-     */
+    /** The error drifts if its best straight line rises by more than this many times the scatter about it. */
     private static final double SECULAR = 2;
     /** Enough for the size of the energy to six digits; a tighter one takes most of the time on a stiff cloth. */
     private static final double REFERENCE_TOLERANCE = 1e-6;
