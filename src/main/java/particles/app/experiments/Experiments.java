@@ -110,9 +110,10 @@ final class Experiments {
         return (folder, progress) -> {
             List<EffectCost.Cost> costs = EffectCost.measure(COLUMNS, STEPS, ROUNDS, CpuClock::seconds, progress);
             Panel panel = EffectCost.panel(costs);
-            return asked.page(panel.title(), List.of(Picture.of("effect-cost", "Time of a step of " + COLUMNS + " x "
-                    + COLUMNS + " particles, in the fastest of " + ROUNDS + " rounds, relative to springs alone: the "
-                    + EffectCost.ROWS + " dearest.", panel)), List.of(EffectCost.table(costs)));
+            return asked.page(panel.title(), List.of(Picture.of("effect-cost", "Time for a step of " + COLUMNS + " x "
+                    + COLUMNS + " particles, relative to springs alone, each from the fastest of " + ROUNDS
+                    + " rounds: the " + EffectCost.ROWS + " that cost most.", panel)),
+                    List.of(EffectCost.table(costs)));
         };
     }
 

@@ -66,17 +66,17 @@ final class RaceExperiment {
                 "The race. The grey ghost is the reference; a solver that fails leaves the race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """
-                                Distance of each solver from the reference, root mean square over the particles, \
-                                unless any are born or die, and energy error. At the curves: the distance, root mean \
-                                square over time, and the energy error, at the end if it drifts. A cross marks where a \
-                                solver left the race.""",
+                                Above, unless particles are born or die, the distance of each solver from the \
+                                reference, root mean square over the particles; at the curves, also over time. Below, \
+                                the energy error; at the curves, the last if it drifts, otherwise the largest. A cross \
+                                marks where a solver left the race.""",
                                 Panel.of(RaceCharts.title(race), Stream.of(RaceCharts.distance(race),
                                 RaceCharts.energy(race)).filter(chart -> chart.series().stream().anyMatch(series ->
                                 series.x().length > 0)).toList()))),
                 List.of(RaceCharts.table(race)));
     }
 
-    /** Watches a race, and makes its film. Panels fill the page, or are as wide as the scene's frames. */
+    /** Watches a race, and makes its film. Panels fill the page, unless the scene's frames are wider. */
     private static final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         private final Camera camera;
         private final RaceFilm film;

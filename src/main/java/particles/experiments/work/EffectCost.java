@@ -139,14 +139,14 @@ public final class EffectCost {
      * @return a row for each
      */
     public static DataTable table(List<Cost> costs) {
-        return DataTable.of("effectCost", "time for a step of rk4", costs, column("what the scene names", Cost::name),
-                column("time (\u00b5s)", cost -> 1e6 * cost.seconds()),
-                column("over springs alone", 3, Cost::overBase));
+        return DataTable.of("effectCost", "The time for a step of rk4", costs,
+                column("what the scene names", Cost::name), column("time (\u00b5s)", cost -> 1e6 * cost.seconds()),
+                column("time / time with springs alone", 3, Cost::overBase));
     }
 
     /**
      * @param costs the measured costs
-     * @return a point for each of the dearest, in a row with its name and value, the dearest below; 1 is springs alone
+     * @return a row for each of those that cost most, with its name, value and a point; the cheapest is the top row
      */
     public static Panel panel(List<Cost> costs) {
         List<Cost> dearest = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase))
