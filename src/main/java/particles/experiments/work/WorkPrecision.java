@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverInfo.Family;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -232,15 +233,15 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
          * @param byStep   whether the slope is that of the error as a power of deltaT; otherwise of the evaluations,
          *                 with the sign changed
          * @param shortest runs with shorter steps (s) are left out
-         * @return the slope of the finest three, if they are on a straight line
+         * @return the slope over the three finest that remain, if they are on a straight line
          */
         static SlopeFit of(List<Point> points, double floor, boolean byStep, double shortest) {
             List<Integer> usable = IntStream.range(0, points.size()).filter(k -> points.get(k).failure().isEmpty()
                     && points.get(k).error() < SMALL && points.get(k).error() > floor
                     && points.get(k).deltaT() >= shortest).boxed().toList();
             if (usable.size() < FittedLine.FEWEST) {
-                return new SlopeFit(Double.NaN, List.of(), usable.size() + " errors between " + floor + " and " + SMALL
-                        + ", where the method shows");
+                return new SlopeFit(Double.NaN, List.of(), usable.size() + " errors between "
+                        + Digits.few(floor) + " and " + Digits.few(SMALL) + "; a slope needs " + FittedLine.FEWEST);
             }
             List<Integer> finest = usable.subList(usable.size() - FittedLine.FEWEST, usable.size());
             double[] x = finest.stream().map(points::get).mapToDouble(point -> Math.log(byStep ? point.deltaT()
