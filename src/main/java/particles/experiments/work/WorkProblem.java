@@ -156,12 +156,12 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
             system.addParticle("p" + i, 1, new Vector3(i % n, -(i / n), 0), fixed ? Vector3.ZERO : new Vector3(0.3,
                     0.1 * (i % n), 0.2), fixed);
         }
-        int[][] ways = {{1, 0}, {0, 1}, {1, 1}};
+        int[][] directions = {{1, 0}, {0, 1}, {1, 1}};
         for (int i = 0; i < n * n; i++) {
-            for (int[] way : ways) {
-                if (i % n + way[0] < n && i / n + way[1] < n) {
-                    int square = way[0] + way[1];
-                    springs.addSpring(i, i + way[0] + n * way[1], 20.0 / square, Math.sqrt(square), 0.1);
+            for (int[] to : directions) {
+                if (i % n + to[0] < n && i / n + to[1] < n) {
+                    int squaredLength = to[0] + to[1];
+                    springs.addSpring(i, i + to[0] + n * to[1], 20.0 / squaredLength, Math.sqrt(squaredLength), 0.1);
                 }
             }
         }
