@@ -1,5 +1,7 @@
 package particles.reactions;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import particles.law.Particles;
 import particles.law.Scales;
@@ -11,10 +13,12 @@ import particles.reactions.Friction.Law;
  * The derivative of the total force on a particle that slides on one surface or several, F + sum lambda N + friction,
  * see {@link SlidingFriction}: its change for small changes of the forces before contact, of the particle's place and
  * velocity and of its body's axis. With the dual normals D (D_r . N_s is 1 for r = s and 0 otherwise) the projection
- * onto the surfaces is P u = u - sum N_r (D_r . u), and lambda = -sum (D_r . D_s) (N_s . F + bend_s). Each line is the
- * derivative of a line there. Where normals are dependent, the loads on them are taken not to change. Differences of
- * the whole system do not replace it: a cloth of 21 x 17 particles that falls on a rough sphere, with linearised-euler
- * and deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails; those of single contacts cross kinks, where one ends.
+ * onto the surfaces is P u = u - sum N_r (D_r . u), and lambda = -sum (D_r . D_s) (N_s . F + bend_s). Each line here is
+ * the derivative of a line there. Where normals are dependent, the loads on them are taken not to change.
+ *
+ * <p>Finite differences do not replace it. Differences of the whole system fail: a cloth of 21 x 17 particles that
+ * falls on a rough sphere, with linearised-euler and deltaT = 0.02 s, ends at 0.26 s, where GMRES fails. Differences of
+ * single contacts cross the kink at which a contact ends.
  */
 final class ContactDerivative {
     private final SlidingFriction sliding;
@@ -59,24 +63,25 @@ final class ContactDerivative {
         skin = scales.map(s -> s.skin(body.length(), axis)).orElse(Skin.SMOOTH);
     }
 
-    /** The part of a normal that is perpendicular to the others, by its square; 0 for one that depends on others. */
+    /** The part of a normal perpendicular to the others, divided by its square; 0 for one that depends on others. */
     private Vector3 dual(int r) {
-        Vector3[] axes = new Vector3[3];
-        int known = 0;
-        for (int s = 0; s <= pushes.length; s++) {
-            Vector3 rest = pushes[s == pushes.length ? r : s].normal;
-            for (int a = 0; a < known && s != r; a++) {
-                rest = rest.minus(axes[a].times(axes[a].dot(rest)));
-            }
-            boolean isNew = rest.length() > Tolerances.PARALLEL;
-            if (s == pushes.length) {
-                return isNew ? rest.over(rest.dot(rest)) : Vector3.ZERO;
-            }
-            if (s != r && isNew) {
-                axes[known++] = rest.normalized();
+        List<Vector3> axes = new ArrayList<>();         // orthonormal, of the other normals
+        for (int s = 0; s < pushes.length; s++) {
+            Vector3 rest = across(axes, pushes[s].normal);
+            if (s != r && rest.length() > Tolerances.PARALLEL) {
+                axes.add(rest.normalized());
             }
         }
-        throw new AssertionError();
+        Vector3 rest = across(axes, pushes[r].normal);
+        return rest.length() > Tolerances.PARALLEL ? rest.over(rest.dot(rest)) : Vector3.ZERO;
+    }
+
+    private static Vector3 across(List<Vector3> axes, Vector3 u) {
+        Vector3 rest = u;
+        for (Vector3 axis : axes) {
+            rest = rest.minus(axis.times(axis.dot(rest)));
+        }
+        return rest;
     }
 
     private Vector3 along(Vector3 u) {
@@ -228,8 +233,8 @@ final class ContactDerivative {
         }
 
         /**
-         * The change of y, the force in the ellipse |S<sup>-1</sup> y| = most that is nearest to n outside: n - y = m B
-         * y with B = S<sup>-2</sup>, so (1 + m B) dy = dn - m dB y - dm B y.
+         * The change of y, the force on the ellipse |S<sup>-1</sup> y| = most that is nearest to a force n outside:
+         * n - y = m B y with B = S<sup>-2</sup>, so (1 + m B) dy = dn - m dB y - dm B y.
          */
         Vector3 balance(Vector3 n, Vector3 dn, double most, double dMost) {
             Vector3 y = skin.balance(n, most);
