@@ -1,24 +1,24 @@
 package particles.reactions;
 
 /**
- * All tolerances of contacts, rods and impacts: what counts as 0, and from where on there is no solution. Lengths are
+ * All tolerances of contacts, rods and impacts: what counts as 0, and which errors mean no solution. Lengths are
  * relative to 1 m plus the distance from the origin, since a place far from it is rounded more coarsely.
  */
 public final class Tolerances {
 
     // Places and times
 
-    /** Two that are this near each other touch (relative length): a thousand times what round-off moves them. */
+    /** Surfaces and balls this near each other touch (relative length): round-off moves them a thousandth of it. */
     public static final double TOUCHING = 1e-9;
     /** Round-off of a place (relative length). */
     public static final double PLACE = 1e-13;
-    /** How deep a path goes that began on a surface (relative to the motion): 32 round-offs, of stages and forces. */
+    /** A path from a surface may dip this deep by round-off of stages and forces (relative to the motion). */
     public static final double DEEP = 0x1p-48;
     /** Target for the errors of rods, wires and their velocities (relative to their length or speed): less is noise. */
     static final double LENGTH = 1e-15;
     /** Accepted error of nearly singular rods and wires, where round-off is larger (relative to their length). */
     static final double SINGULAR_LENGTH = 1e-9;
-    /** What a particle may slide too far in the step in which it stops (relative length): less cannot be seen. */
+    /** A particle may slide this much too far in the step in which it stops (relative length): it cannot be seen. */
     public static final double FAR = 1e-4;
     /** Impacts are at one moment if their times differ by less than this fraction of the step. */
     public static final double AT_ONCE = 1e-9;
@@ -35,11 +35,11 @@ public final class Tolerances {
     static final double STANDSTILL = 1e-9;
     /** A speed has no reliable direction below this, relative to the speed at the step's beginning. */
     static final double NO_DIRECTION = 1e-6;
-    /** Relative to the speed before: less is left where the forces change a little in the step of a stop. */
+    /** Friction has stopped a particle below this part of its speed before: forces change a little in the step. */
     static final double ALMOST_STOPPED = 0.01;
-    /** Forces may stop a particle in this many times a step: yoshida4 looks a third ahead, several surfaces push. */
+    /** Safety factor for whether friction may stop a particle in a step: yoshida4 looks a third of a step ahead. */
     static final double STOPS = 4;
-    /** Of the speed that an elastic particle gains in a step: it rests below this, of which a loss is round-off. */
+    /** An elastic particle rests below this part of the speed that it gains in a step: the loss is round-off. */
     public static final double ELASTIC = 1e-6;
     /** An elastic particle rests only where it would bounce this often in a step. */
     public static final double BOUNCES = 1000;
@@ -51,7 +51,7 @@ public final class Tolerances {
     /** What is left of a vector along surfaces is round-off below this, relative to the vector. */
     static final double ALONG = 1e-14;
 
-    // Forces: of equations, relative to the largest right side of a block
+    // Equations of forces: relative to the largest right side of a block
 
     /** A contact's pull, or its separation inwards, below this is round-off. */
     static final double PULL = 1e-10;

@@ -76,8 +76,7 @@
  * fraction of its length or radius (of 1 m for planes and wires), and the difference between the work that is reported
  * for moving anchors and that of the forces on them. From 0.001 on there is a warning; above 0.1 the run ends as wrong.
  *
- * <p>What counts as 0 in all this, and from where on there is no solution, is in {@link
- * particles.reactions.Tolerances}.
+ * <p>{@link particles.reactions.Tolerances} has all limits: what counts as 0, and which errors mean no solution.
  *
  * <p>Sources: the slides "Particle/Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics",
  * SIGGRAPH course notes 1997 (rows); D. Baraff, "Fast contact force computation for nonpenetrating rigid bodies",
