@@ -20,9 +20,9 @@ public abstract class FixedStepSolver extends DESolver {
     private final int checked = this instanceof SumOfDerivatives.AfterTheFirst ? 1
             : this instanceof SumOfDerivatives ? 0 : Integer.MAX_VALUE;
     private int evaluations;                            // in this step
-    private double[] state = {};                        // s; a source may exchange it for another array
-    private double[][] arrays = {};                     // of the helpers: made once, lent one by one in each step
-    private int lent;
+    private double[] state = {};                        // holds s; a source may keep it and give another array
+    private double[][] arrays = {};                     // results of the helpers, made once and used again in each step
+    private int lent;                                   // the number of these arrays that this step has used
     private int n = -1;
 
     /**
@@ -52,7 +52,7 @@ public abstract class FixedStepSolver extends DESolver {
         }
     }
 
-    /** Frees all work arrays and reads the state. */
+    /** Begins a step: all arrays may be used again; reads the state. */
     private double[] startState(DEStateSource source) {
         if (n != source.getStateSize()) {
             resize(source.getStateSize());
@@ -63,7 +63,7 @@ public abstract class FixedStepSolver extends DESolver {
         return state;
     }
 
-    /** A method of its own, since HotSpot inlines stepState only if its machine code is short. */
+    /** Apart from startState, since HotSpot inlines stepState only if its machine code is short. */
     private void resize(int size) {
         state = new double[size];
         arrays = new double[0][];

@@ -4,9 +4,10 @@ import java.util.Arrays;
 
 /**
  * A square matrix A and its factors L U in an envelope: row r and column r are stored from the same first entry to the
- * diagonal, and the factors need no more (A. Jennings 1966; also called skyline or profile). The matrix of a chain has
- * a few entries a row, and the time is proportional to its length. There is no pivoting: A = J W J<sup>T</sup> does not
- * need it, and friction makes A only a little unsymmetric; callers check the residual.
+ * diagonal, and the factors have no entries outside (A. Jennings 1966; also called skyline or profile). The matrix of a
+ * chain has a few entries per row, so the time is proportional to the chain's length. There is no pivoting: the matrix
+ * of constraint forces, J W J<sup>T</sup>, does not need it, and friction makes it only a little unsymmetric; callers
+ * check the residual.
  */
 public final class EnvelopeMatrix {
     private int size;

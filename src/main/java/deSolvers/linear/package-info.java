@@ -1,13 +1,13 @@
 /**
- * Linear systems A x = b. {@link deSolvers.linear.BlockSolver} solves those of the implicit solvers with a sparse
- * matrix of 3 x 3 blocks, one for each pair of particles that act on each other: by conjugate gradients where it is
- * symmetric positive definite, by GMRES otherwise, both preconditioned by the inverses of its diagonal blocks; an
- * ill-conditioned matrix is factorised. EJML solves the systems with a full matrix.
+ * Linear systems A x = b, of implicit solvers and of constraint forces. {@link deSolvers.linear.BlockSolver} serves
+ * implicit solvers: their sparse matrix has 3 x 3 blocks, one for each pair of particles that act on each other. It is
+ * solved by conjugate gradients where it is symmetric positive definite, by GMRES otherwise, both preconditioned by the
+ * inverses of its diagonal blocks; an ill-conditioned matrix is factorised. EJML solves the systems with a full matrix.
  *
- * <p>Those of constraint forces have one entry, not a block, for each pair of rods or contacts that share a particle,
- * and rows come and go with contacts: {@link deSolvers.linear.EnvelopeMatrix} factorises the active rows of a matrix
- * whose entries lie near the diagonal, without fill-in; {@link deSolvers.linear.MinimumNormSolution} serves where rows
- * are dependent.
+ * <p>The matrix of constraint forces has one entry, not a block, for each pair of rods or contacts that share a
+ * particle, and its rows come and go with contacts. {@link deSolvers.linear.EnvelopeMatrix} factorises its active rows;
+ * entries lie near the diagonal, so there is no fill-in beyond the envelope. {@link
+ * deSolvers.linear.MinimumNormSolution} serves where rows are dependent.
  *
  * <h2>The sparse factorisation</h2>
  * Eliminating a row of a sparse matrix makes new entries, the <i>fill-in</i>: all later rows that it touches then touch

@@ -30,14 +30,14 @@ public final class StopRequest implements Observer {
     private static final long CHILDREN_MILLIS = 500;
 
     private final CountDownLatch ended = new CountDownLatch(1);
-    /** Whether the process is ending: then a command may fall apart before the thread that says so has begun. */
+    /** Whether the process is ending: a command may fail for this reason before the hook has called request. */
     private final BooleanSupplier ending;
-    private volatile boolean exits;
+    private volatile boolean exits;                     // the command ends the process; no signal does
     private volatile boolean wanted;
     private volatile boolean endsByItself;
     private volatile Supplier<String> line = () -> "stopped";
 
-    /** For the process in which it is made. */
+    /** A stop of this process. */
     public StopRequest() {
         this(StopHook::isStopping);
     }
@@ -119,7 +119,7 @@ public final class StopRequest implements Observer {
         folder.setWhenStopped(this::awaitEnd);
     }
 
-    /** Waits for a command that ends by itself, and tells whether it did in time. */
+    /** Waits for a command that ends by itself; returns whether it did in time. */
     private boolean awaitEnd() {
         try {
             if (endsByItself && !ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {

@@ -31,7 +31,7 @@ class StopRequestTest {
 
     /** Without this, some stops of a command that ends when its files are taken from it said nothing. */
     @Test
-    void aCommandThatFallsApartAtOnceIsToldAsStopped() throws InterruptedException {
+    void aCommandThatFailsAtOnceIsReportedAsStopped() throws InterruptedException {
         for (int i = 0; i < 2000; i++) {
             StopRequest stop = new StopRequest();
             Thread command = new Thread(() -> {
@@ -50,7 +50,7 @@ class StopRequestTest {
 
     /** A command that cannot write any more may end before the thread that prints the line has begun. */
     @Test
-    void aCommandThatFallsApartBeforeTheLineIsToldAsStopped() {
+    void aCommandThatFailsAsTheProcessEndsIsReportedAsStopped() {
         StopRequest stop = new StopRequest(() -> true);
         StringWriter lines = new StringWriter();
         stop.end(ExitCode.STOPPED, exits::add);
@@ -60,7 +60,7 @@ class StopRequestTest {
     }
 
     @Test
-    void aCommandThatCameToItsEndIsNotToldAsStopped() {
+    void aCommandThatCameToItsEndIsNotReportedAsStopped() {
         StringWriter lines = new StringWriter();
         stop.end(ExitCode.DONE, exits::add);
         assertFalse(stop.stop(new PrintWriter(lines)));
