@@ -98,10 +98,10 @@ export class SceneCamera {
     for (let i = 0; 6 * i < state.length; i++) {
       const p = pointAhead(state, i, 0).project(this.camera);
       if (!(Math.abs(p.x) < 0.95 && Math.abs(p.y) < 0.95 && p.z < 1)) {
-        grown.expandByPoint(pointAhead(state, i, 0)).expandByPoint(pointAhead(state, i, AHEAD));
+        grown.expandByPoint(pointAhead(state, i, 0)).expandByPoint(pointAhead(state, i, this.fails ? 0 : AHEAD));
       }
     }
-    if (!grown.equals(this.box) && grown.getBoundingSphere(new THREE.Sphere()).radius 
+    if (!grown.equals(this.box) && grown.getBoundingSphere(new THREE.Sphere()).radius
         < (this.fails ? MOST_OF_FAILED : MOST_GROWTH) * this.extent) {
       this.box = grown;
       this.place();
