@@ -224,12 +224,13 @@ class LabPlayTest extends LabPageTestCase {
         page.openScene("05-hanging-chain");
         assertEquals(List.of("springs", "gravity", "drag", "rk4"), page.script(
                 "return [...document.querySelectorAll('#equations h2')].map(one => one.textContent);"));
-        assertEquals(List.of("F = m g", "acceleration = (0, -9.81, 0) m/s^2"), page.script("""
+        assertEquals(List.of("F = m g", "acceleration = (0, -9.81, 0) m/s²"), page.script("""
                 const head = [...document.querySelectorAll('#equations h2')].find(one => one.textContent === 'gravity');
                 const [formula, numbers] = [head.nextSibling, head.nextSibling.nextSibling];
                 return [formula.querySelector('math').textContent, numbers.textContent];
                 """));
-        until("element('equations').textContent.includes('k = 1000 N/m, l = 0.08333 m')");
+        until("element('equations').textContent.includes('k = 1000 N/m, l = 0.08333 m, k_d = ')");
+        until("!element('equations').textContent.includes('quadraticDrag')");
         until("document.querySelector('#equations msub').textContent === 'xj'");
         until("document.querySelector('#equations pre').textContent.includes('| 1/6  1/3  1/3  1/6')");
         page.choose("solver", "verlet");

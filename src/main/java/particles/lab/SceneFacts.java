@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import particles.effects.EffectKind;
 import particles.effects.springs.SpringRates;
 import particles.law.Vector3;
@@ -21,6 +22,7 @@ import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
+import particles.view.SpringView;
 
 /** The facts of a scene that the page needs before its first frame. */
 final class SceneFacts {
@@ -39,7 +41,8 @@ final class SceneFacts {
     static Map<String, Object> of(Scene scene, FrameRecorder frames) {
         SceneDescription description = scene.description();
         Scenery scenery = scene.scenery();
-        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
+        SpringView springs = scene.springs();
+        SpringRates rates = SpringRates.of(springs, scene.system().getParticles());
         Map<String, Object> facts = JsonText.map("title", description.title(),
                 "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
@@ -54,6 +57,7 @@ final class SceneFacts {
                 "ofSprings", surface.ofSprings())).toList(),
                 "remarks", description.remarks(),
                 "laws", description.values().get(SceneFormat.EFFECTS).stream().map(SceneFacts::law).toList(),
+                "dampings", IntStream.range(0, springs.springCount()).mapToObj(springs::damping).distinct().toList(),
                 "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.drawing().camera().ifPresent(camera -> facts.put("camera", Map.of(
                 "position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),

@@ -2,15 +2,18 @@
 import {$, few, make} from './dom.js';
 
 const FORMULAS = JSON.parse($('formulas')?.textContent ?? '{}');        // by name; none of a recorded run
-const SIGNS = {'.': '\u22c5', '-': '\u2212', "'": '\u2032', '<': '&lt;', pi: '\u03c0', mu: '\u03bc', lambda: '\u03bb'};
+const SIGNS = {'.': '\u22c5', '-': '\u2212', '~': '\u2212', "'": '\u2032', '<': '&lt;', pi: '\u03c0', mu: '\u03bc',
+  lambda: '\u03bb'};
+const MORE = {'|': ' lspace="0" rspace="0"', '~': ' form="prefix"'};
 const WORDS = /[A-Za-z]{2,}(?: [A-Za-z]{2,})+/, ATOM = /([A-Za-z]+|\d[\d.]*|[^\s\w])(?:_(\w+))?(?:\^(\w+|\([^)]*\)))?/;
-const TOKEN = RegExp(WORDS.source + '|' + ATOM.source, 'g');
+const TOKEN = RegExp('(?<=\\w) (?=\\w)|' + WORDS.source + '|' + ATOM.source, 'g');
 const tag = (name, content, more = '') => `<${name}${more}>${content}</${name}>`;
 const atom = text => /^\w/.test(text) ? tag(/^\d/.test(text) ? 'mn' : 'mi', SIGNS[text] ?? text)
-    : tag('mo', SIGNS[text] ?? text, ' stretchy="false"' + (text === '|' ? ' lspace="0" rspace="0"' : ''));
+    : tag('mo', SIGNS[text] ?? text, ' stretchy="false"' + (MORE[text] ?? ''));
 
-/** A part of a line of text as MathML: a_b is an index, a^b a power. */
-const typeset = part => tag('math', part.replace(TOKEN, (all, base, sub, sup) => base === undefined ? tag('mtext', all)
+/** A part of a line of text as MathML: a_b is an index, a^b a power, and a space between two names keeps them apart. */
+const typeset = part => tag('math', part.replace(/([=(] ?)-/g, '$1~').replace(TOKEN, (all, base, sub, sup) =>
+    all === ' ' ? tag('mspace', '', ' width=".2em"') + ' ' : base === undefined ? tag('mtext', all)
     : tag('m' + (sub ? 'sub' : '') + (sup ? 'sup' : '') + (sub || sup ? '' : 'row'),
         atom(base) + [sub, sup].filter(one => one).map(one => tag('mtext', one)).join(''))));
 
@@ -20,16 +23,17 @@ const shown = value => Array.isArray(value) ? '(' + value.map(one => few(one)).j
 const span = numbers => [...new Set([Math.min(...numbers), Math.max(...numbers)])].map(one => few(one)).join(' to ');
 
 /** solver: its name; laws: those that the scene names; structure: the particles and springs */
-export function showEquations({solver, laws}, {stiffness, restLengths}) {
+export function showEquations({solver, laws, dampings}, {stiffness, restLengths}) {
   const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity);
   const of = column => springs.map(s => column[s]);
   const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
-    'l = ' + span(of(restLengths)) + ' m']}] : []), ...laws.map(({name, numbers}) => ({name,
-    lines: numbers.map(([key, value, unit]) => `${key} = ${shown(value)} ${unit}`)}))];
+    'l = ' + span(of(restLengths)) + ' m', 'k_d = ' + span(dampings) + ' N s/m']}] : []),
+  ...laws.map(({name, numbers}) => ({name, lines: numbers.map(([key, value, unit]) =>
+    `${key} = ${shown(value)} ${unit.replace('^2', '²')}`.trim())}))];
   $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
     make('h2', {textContent: name}),
-    ...FORMULAS[name].split('\n').map(line => make('p',
-        {innerHTML: line.trim().split(/ {2,}/).map(typeset).join(' &emsp;')})),
+    ...FORMULAS[name].split('\n').filter(line => !/^\w+:/.test(line) || line.startsWith(name + ':'))
+        .map(line => make('p', {innerHTML: line.trim().split(/ {2,}/).map(typeset).join(' &emsp;')})),
     make('p', {className: 'soft', textContent: lines.join(', ')})]),
     ...(FORMULAS[solver] ? [make('h2', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
 }
