@@ -28,7 +28,7 @@ const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points t
 
 const STILL = matchMedia('(prefers-reduced-motion: reduce)');
 const {engine} = window.started;
-let facts = null, structure = null, plotted = 0;
+let facts = null, structure = null, plotted = 0, barred = null;
 
 const view = makeView($('view'));
 const player = new Player(window.started.worker, {paused, renew: () => listenTo(new Worker(engine)),
@@ -409,7 +409,10 @@ function draw(now = 0) {
   if (now - plotted > PLOT_INTERVAL) {
     plotted = now;
     plots.forEach(plot => plot.draw());
-    structure && showBars(energy, player.frame.time);
+    if (structure && barred !== player.frame) {
+      barred = player.frame;
+      showBars(energy, barred.time);
+    }
   }
   requestAnimationFrame(draw);
 }
