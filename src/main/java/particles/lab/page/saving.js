@@ -11,6 +11,7 @@ function compose(element, canvas, lines) {
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.drawImage(picture, 0, 0);
   c.scale(scale, scale);
+  c.textBaseline = 'middle';
   for (const path of element.querySelectorAll('svg path[d]')) {
     const {stroke, fill, strokeWidth, strokeDasharray} = getComputedStyle(path);
     const line = new Path2D(path.getAttribute('d'));
@@ -25,7 +26,6 @@ function compose(element, canvas, lines) {
     const box = name.getBoundingClientRect(), {color, backgroundColor} = getComputedStyle(name);
     const plain = name.tagName === 'text';
     c.font = '12px system-ui, sans-serif';
-    c.textBaseline = 'middle';
     c.fillStyle = plain ? PAPER : backgroundColor;
     c.globalAlpha = 0.85;
     c.fillRect(box.left - corner.left, box.top - corner.top, box.width, box.height);
