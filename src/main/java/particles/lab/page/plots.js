@@ -146,7 +146,8 @@ export class DistancePlot {
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
     const [time, distance] = axes('time (s)', 'distance (m)');
-    this.plot = new uPlot({...size(this.element), mode: 2, axes: [time, {...distance, splits: decades}],
+    this.plot = new uPlot({...size(this.element), mode: 2,
+      axes: [time, {...distance, splits: decades, filter: (u, splits) => splits}],
       scales: {x: {time: false, range: [0, duration]}, y: {distr: 3}}, cursor: {show: false},
       legend: {show: true, live: false},
       series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => line(name, colour))]}, this.data, this.element);
