@@ -41,7 +41,7 @@ export class Settings {
     $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
     $('limit').textContent = facts.deltaT > facts.duration ? 'Longer than the scene: one step of ' + few(facts.duration)
         + ' s.' : solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
-        : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
+        : limit === 0 ? facts.damping ? '' : 'Undamped springs gain energy at any deltaT.'
         : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
         : solver?.sentence ? 'No spring limits deltaT here.' : '';
     this.refuse([]);
