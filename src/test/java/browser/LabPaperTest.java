@@ -16,7 +16,11 @@ class LabPaperTest extends LabPageTestCase {
         page.openScene("02-one-spring");
         runToTheEnd();
         page.driver().executeCdpCommand("Emulation.setEmulatedMedia", Map.of("media", "print"));
+        page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", 800, "height", 1100,
+                "deviceScaleFactor", 1, "mobile", false));
         assertEquals(List.of(), page.script(SEEN));
+        assertEquals(true, page.script("return document.querySelector('#view').offsetHeight"
+                + " === document.querySelector('#views').offsetHeight;"));
         assertEquals("auto", page.script("return getComputedStyle(document.body).height === innerHeight + 'px'"
                 + " ? 'one window' : 'auto';"));
         assertEquals(true, page.script("return ['view', 'clock', 'solver', 'deltaTNumber', 'energy', 'phase'].every("
