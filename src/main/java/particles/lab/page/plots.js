@@ -88,7 +88,7 @@ export class EnergyPlot {
         }
       }
       if (times.length > MOST) {
-        this.data.forEach((column, i) => column.splice(0, Infinity, ...column.filter((value, k) => k % 2 === 0)));
+        thin(this.data);
         this.stride = 2 * time / MOST;
       }
       this.stale = true;
