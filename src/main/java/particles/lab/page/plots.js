@@ -51,7 +51,7 @@ export class EnergyPlot {
     this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'error (J)')[1],
       scale: 'error', side: 1, grid: {show: false}}],
       scales: {x: {time: false, range: (u, low, high) => [0, u.data[0].at(-1) > 0 ? high : this.duration]},
-        error: {distr: this.logarithmic ? 3 : 1}},
+        error: this.logarithmic ? {distr: 3} : {range: rangeOfErrors}},
       cursor: {drag: {x: false, y: false}},
       series: [{label: 'time (s)', value: latest},
         ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? name + ' (from its lowest)' : name,
@@ -124,6 +124,10 @@ export class EnergyPlot {
     this.plot?.setSize(size(this.element));
   }
 }
+
+/** The axis reaches at least this far (J): of round-off alone, it would be from 0 to 100. */
+const rangeOfErrors = (u, low, high) => low === null ? [null, null]
+    : uPlot.rangeNum(low, Math.max(high, 1e-9), 0.1, true);
 
 /** Drops every second point of a long curve. */
 function thin(curve) {
