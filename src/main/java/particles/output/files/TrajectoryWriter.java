@@ -26,6 +26,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     private final IntToLongFunction stride;
     private final OutputFile file;
     private final PrintWriter out;          // the file below it throws its errors itself
+    private final StringBuilder line = new StringBuilder();
     private long step;
     private long written = -1;              // the last step of which the beginning was written; -1 before the first
     private boolean open = true;
@@ -98,14 +99,12 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         String t = Numbers.shortest(time);
         try {
             for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-                out.write(t);
-                out.write(',');
-                out.write(quoted(particles.id(i)));
+                line.setLength(0);
+                line.append(t).append(',').append(quoted(particles.id(i)));
                 for (int c = x; c < x + Particles.STRIDE; c++) {
-                    out.write(',');
-                    out.write(Numbers.shortest(state[c]));
+                    line.append(',').append(Numbers.shortest(state[c]));
                 }
-                out.write('\n');
+                out.append(line.append('\n'));
             }
         } catch (OutputException e) {
             open = false;
@@ -115,6 +114,10 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
 
     /** @return a field as RFC 4180 says: quoted, with doubled quotes, if it has a comma, quote or line break */
     public static String quoted(String field) {
-        return field.chars().anyMatch(c -> ",\"\n\r".indexOf(c) >= 0) ? '"' + field.replace("\"", "\"\"") + '"' : field;
+        boolean isPlain = true;
+        for (int k = 0; k < field.length(); k++) {      // no stream, since each line asks
+            isPlain &= ",\"\n\r".indexOf(field.charAt(k)) < 0;
+        }
+        return isPlain ? field : '"' + field.replace("\"", "\"\"") + '"';
     }
 }
