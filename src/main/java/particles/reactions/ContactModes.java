@@ -21,8 +21,8 @@ public final class ContactModes {
 
     private final Particles particles;
     private final int surfaces;
-    // by particle, then surface; null for those that never touched any
-    private Mode[][] modes = {};
+    private final Contacts free;                        // of all particles that never touched any surface
+    private Contacts[] contacts = {};                   // by particle
     private int touching;
     private int changes;
 
@@ -30,6 +30,37 @@ public final class ContactModes {
     public ContactModes(Particles particles, int surfaces) {
         this.particles = particles;
         this.surfaces = surfaces;
+        free = new Contacts(surfaces);
+    }
+
+    /** The modes of a particle, with the answers that rules and forces ask for in every step. */
+    private static final class Contacts {
+        private final Mode[] modes;                     // by surface
+        private Mode most = Mode.FREE;
+        private int touched;                            // the number of surfaces that it touches
+        private int last = -1;                          // the last of them
+
+        Contacts(int surfaces) {
+            modes = new Mode[surfaces];
+            Arrays.fill(modes, Mode.FREE);
+        }
+
+        void set(int surface, Mode mode) {
+            modes[surface] = mode;
+            most = Mode.FREE;
+            touched = 0;
+            for (int p = 0; p < modes.length; p++) {
+                if (modes[p] != Mode.FREE) {
+                    most = modes[p].compareTo(most) > 0 ? modes[p] : most;
+                    touched++;
+                    last = p;
+                }
+            }
+        }
+    }
+
+    private Contacts of(int particle) {
+        return particle < contacts.length ? contacts[particle] : free;
     }
 
     /**
@@ -38,7 +69,7 @@ public final class ContactModes {
      * @return the particle's mode at the surface
      */
     public Mode get(int surface, int particle) {
-        return particle < modes.length && modes[particle] != null ? modes[particle][surface] : Mode.FREE;
+        return of(particle).modes[surface];
     }
 
     /**
@@ -52,14 +83,15 @@ public final class ContactModes {
             return;
         }
         changes++;
-        if (modes.length < particles.count()) {
-            modes = Arrays.copyOf(modes, particles.count());
+        int known = contacts.length;
+        if (known < particles.count()) {
+            contacts = Arrays.copyOf(contacts, particles.count());
+            Arrays.fill(contacts, known, contacts.length, free);
         }
-        if (modes[particle] == null) {
-            modes[particle] = new Mode[surfaces];
-            Arrays.fill(modes[particle], Mode.FREE);
+        if (contacts[particle] == free) {
+            contacts[particle] = new Contacts(surfaces);
         }
-        modes[particle][surface] = mode;
+        contacts[particle].set(surface, mode);
         touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
     }
 
@@ -79,30 +111,20 @@ public final class ContactModes {
 
     /** The surface that a particle touches, if it is one only; -1 otherwise. */
     int only(int particle) {
-        int only = -1;
-        for (int p = 0; p < surfaces; p++) {
-            if (get(p, particle) != Mode.FREE) {
-                if (only >= 0) {
-                    return -1;
-                }
-                only = p;
-            }
-        }
-        return only;
+        return of(particle).touched == 1 ? of(particle).last : -1;
     }
 
     /** Updates indices after particles were removed. */
     public void reindex(int[] newIndex) {
-        Mode[][] before = modes;
-        modes = new Mode[particles.count()][];
+        Contacts[] before = contacts;
+        contacts = new Contacts[particles.count()];
+        Arrays.fill(contacts, free);
         touching = 0;
         changes++;
         for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
-            if (newIndex[i] >= 0 && before[i] != null) {
-                modes[newIndex[i]] = before[i];
-                for (Mode mode : before[i]) {
-                    touching += mode == Mode.FREE ? 0 : 1;
-                }
+            if (newIndex[i] >= 0) {
+                contacts[newIndex[i]] = before[i];
+                touching += before[i].touched;
             }
         }
     }
@@ -119,16 +141,7 @@ public final class ContactModes {
 
     /** @return one more than the largest index of a particle that ever touched a surface, or more */
     public int end() {
-        return modes.length;
-    }
-
-    /** The mode of a particle at any surface: it sticks if it sticks at one, and is free if it touches none. */
-    private Mode get(int particle) {
-        Mode most = Mode.FREE;
-        for (int p = 0; p < surfaces; p++) {
-            most = get(p, particle).compareTo(most) > 0 ? get(p, particle) : most;
-        }
-        return most;
+        return contacts.length;
     }
 
     /**
@@ -136,7 +149,7 @@ public final class ContactModes {
      * @return true if it touches any surface
      */
     public boolean isTouching(int particle) {
-        return get(particle) != Mode.FREE;
+        return of(particle).touched > 0;
     }
 
     /**
@@ -144,6 +157,6 @@ public final class ContactModes {
      * @return true if it touches a surface and static friction holds it there
      */
     public boolean isSticking(int particle) {
-        return get(particle) == Mode.STICKING;
+        return of(particle).most == Mode.STICKING;
     }
 }

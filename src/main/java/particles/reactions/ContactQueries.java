@@ -65,10 +65,10 @@ public final class ContactQueries {
      * @return the normal force (N); if it is 0, minus the force that pulls the particle off
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
-        Block block = blocks.of(particle);
-        if (!block.isJoined() && modes.only(particle) == surface) {
+        if (modes.only(particle) == surface && !blocks.isCoupled(particle)) {
             return pushAlone(surface, particle, state, force);
         }
+        Block block = blocks.of(particle);
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
@@ -128,10 +128,10 @@ public final class ContactQueries {
      *         nothing presses on it and no forces of rods and balls balance all others
      */
     public double holdMargin(int particle, double[] state, double[] force) {
-        Block block = blocks.of(particle);
-        if (!block.isJoined()) {
+        if (!blocks.isCoupled(particle)) {
             return marginAlone(particle, state, force);
         }
+        Block block = blocks.of(particle);
         blocks.prepare(state, system.getTime());
         if (isDriven(block, particle, state)) {
             return -1;

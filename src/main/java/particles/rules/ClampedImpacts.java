@@ -40,6 +40,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private double foreseenStep = Double.NaN;           // its length (s)
     private int foreseenAt;                             // the modes' count of changes
     private double[] arrived = {};                      // the state at the end of the step, before clamping
+    private final double[] entered;                     // when a particle flew into each surface, as part of the step
 
     /**
      * A particle that was free and is below a surface now.
@@ -53,6 +54,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     public ClampedImpacts(RestingContacts contacts) {
         super(contacts);
         hasSpheres = surfaces.stream().anyMatch(surface -> !surface.obstacle().isFlat());
+        entered = new double[surfaces.size()];
     }
 
     @Override
@@ -105,19 +107,10 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         boolean coupledChanged = false;
         List<Below> below = new ArrayList<>();
         for (int i = 0; i < particles.count(); i++) {
-            boolean thisOne = false;
-            if (hasSpheres && !particles.isFixed(i)) {
-                stopFlight(i, deltaT);
+            if (!particles.isFixed(i) && check(i, below)) {
+                changed = true;
+                coupledChanged |= contacts.isCoupled(i);
             }
-            for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
-                if (modes.get(p, i) != Mode.FREE) {
-                    thisOne |= keepInContact(p, i);
-                } else {
-                    thisOne |= findBelow(p, i, deltaT, below);
-                }
-            }
-            changed |= thisOne;
-            coupledChanged |= thisOne && contacts.isCoupled(i);
         }
         below.sort(Comparator.comparingDouble(Below::crossed));
         for (int from = 0, to; from < below.size(); from = to) {
@@ -141,8 +134,20 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         return !foreseen.isEmpty() || changed;          // friction as an impulse has a new direction in each step
     }
 
+    /** Returns whether a particle has left a surface, or was or is below one. */
+    private boolean check(int i, List<Below> below) {
+        if (hasSpheres) {
+            stopFlight(i);
+        }
+        boolean changes = false;
+        for (int p = 0; p < entered.length; p++) {
+            changes |= modes.get(p, i) == Mode.FREE ? findBelow(p, i, below) : keepInContact(p, i);
+        }
+        return changes;
+    }
+
     /** Finds out whether a particle that was free is below a surface now, and when it crossed it. */
-    private boolean findBelow(int p, int i, double deltaT, List<Below> found) {
+    private boolean findBelow(int p, int i, List<Below> found) {
         ContactSurface surface = surfaces.get(p);
         double[] before = contacts.getStepBegin();
         boolean isBelow = surface.distance(system.getOwnState(), i) < 0;
@@ -257,17 +262,16 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     }
 
     /** Moves a particle that flew into balls within the step back to where it first did so, with its velocity there. */
-    private void stopFlight(int i, double deltaT) {
+    private void stopFlight(int i) {
         double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
-        double[] entered = new double[surfaces.size()];
-        double first = 1;
+        double first = Double.POSITIVE_INFINITY;
         for (int p = 0; p < entered.length; p++) {
             ContactSurface surface = surfaces.get(p);
             // one that began on the surface or below has been put there by rods
             double distance = surface.obstacle().isFlat() || modes.get(p, i) != Mode.FREE ? 0
                     : surface.distance(before, i);
-            boolean mayEnter = distance > slack(before, i) && distance <= longest(before, i, deltaT);
+            boolean mayEnter = distance > slack(before, i) && distance <= longest(before, i);
             entered[p] = mayEnter ? firstBelow(surface, before, arrived, deltaT, i, 0) : Double.NaN;
             first = entered[p] < first ? entered[p] : first;
         }
@@ -275,7 +279,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
             crossing.begin(before, arrived, deltaT, i);
             crossing.put(first, before, arrived, i, state);
         }
-        for (int p = 0; p < entered.length; p++) {
+        for (int p = 0; first <= 1 && p < entered.length; p++) {
             if (entered[p] <= first + Tolerances.AT_ONCE) {
                 moveAlong(surfaces.get(p).normal(state, i), state, STRIDE * i,
                         -surfaces.get(p).distance(state, i) - slack(state, i));
@@ -284,7 +288,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     }
 
     /** The most that a particle's path within the step can measure (m): the sum of the three sides of its hull. */
-    private double longest(double[] before, int i, double deltaT) {
+    private double longest(double[] before, int i) {
         double sides = deltaT / 3 * (velocity(before, i).norm1() + velocity(arrived, i).norm1());
         return 2 * sides + Vector3.at(arrived, STRIDE * i).minus(Vector3.at(before, STRIDE * i)).norm1();
     }

@@ -209,6 +209,8 @@ abstract class Impacts implements Rule {
 
     /** Adds a multiple of a direction to the vector that begins at an index. */
     static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
-        Vector3.at(state, place).plus(direction.times(amount)).put(state, place);
+        state[place] += amount * direction.x();
+        state[place + 1] += amount * direction.y();
+        state[place + 2] += amount * direction.z();
     }
 }
