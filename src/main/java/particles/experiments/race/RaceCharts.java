@@ -51,10 +51,10 @@ public final class RaceCharts {
         return new Chart(Axis.TIME, Axis.log("distance from the reference", "m"), series);
     }
 
-    /** @return the distance of a solver from the reference, such as "0.12 m", or when it left the race */
+    /** @return the distance of a solver from the reference, such as "rms 0.12 m", or when it left the race */
     public static String mean(Lane lane) {
         return lane.left().isPresent() ? "until " + Digits.few(lane.left().getAsDouble()) + " s"
-                : Double.isNaN(rms(lane)) ? "" : Digits.few(rms(lane)) + " m";
+                : Double.isNaN(rms(lane)) ? "" : "rms " + Digits.few(rms(lane)) + " m";
     }
 
     /**

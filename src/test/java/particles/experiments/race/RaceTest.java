@@ -126,7 +126,7 @@ class RaceTest {
         assertTrue(race.lanes().get(1).left().isEmpty());
         assertEquals("until " + Digits.few(left) + " s", RaceCharts.mean(euler));
         double[] off = race.lanes().get(1).distance();
-        assertEquals(Digits.few(Math.sqrt(Arrays.stream(off).map(d -> d * d).average().orElseThrow())) + " m",
+        assertEquals("rms " + Digits.few(Math.sqrt(Arrays.stream(off).map(d -> d * d).average().orElseThrow())) + " m",
                 RaceCharts.mean(race.lanes().get(1)));
         for (Chart chart : List.of(RaceCharts.distance(race), RaceCharts.energy(race))) {
             Series crosses = chart.series().get(1);
