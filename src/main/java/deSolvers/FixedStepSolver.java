@@ -46,7 +46,7 @@ public abstract class FixedStepSolver extends DESolver {
                 step(guarded, s, deltaT);
             }
             double[] free = guarded.finishWith(s);
-            if (free != s) {                            // a comparison is cheaper than storing a reference
+            if (free != s) {                            // the source has kept s
                 state = free;
             }
         }
@@ -63,7 +63,7 @@ public abstract class FixedStepSolver extends DESolver {
         return state;
     }
 
-    /** Apart from startState, since HotSpot inlines stepState only if its machine code is short. */
+    /** Makes arrays for states of another length. */
     private void resize(int size) {
         state = new double[size];
         arrays = new double[0][];
