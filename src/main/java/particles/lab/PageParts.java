@@ -29,7 +29,7 @@ public final class PageParts {
     private static final List<String> OWN_MODULES = List.of("dom", "equations", "packing", "address", "gallery", "keys",
             "camera", "sky", "blobs", "glow", "marks", "opening", "structure", "tubes", "scenery", "surface", "trails",
             "view", "plots", "bars", "editor", "parameters", "saving", "settings", "panels", "phase", "nearest",
-            "player", "stability", "words", "hand", "inspector", "lecture", "main");
+            "player", "stability", "hand", "inspector", "lecture", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     private PageParts() {
@@ -57,6 +57,7 @@ public final class PageParts {
                 "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
                         + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
                 "modules", modules(),
+                "texts", script("", own("texts.js")),
                 "starter", script("", own("starter.js")), "loader", script("", own("loader.js")),
                 "licences", Stream.concat(Stream.of("three.js\n\n" + read(THREE + "LICENSE"),
                         "uPlot\n\n" + read(UPLOT + "LICENSE"), "CodeMirror\n\n" + read(CODEMIRROR + "LICENSE")),

@@ -16,7 +16,7 @@ export class Address {
   /** Opens the state of the address. @returns whether it has one that can be read */
   async read() {
     const {more, ...typed} = Object.fromEntries(new URLSearchParams(location.hash.slice(1).replace(/\+/g, '%2B')));
-    return location.hash.length > 1 && this.take('The part of the address after #', async () =>
+    return location.hash.length > 1 && this.take(TEXTS.address, async () =>
         ({...(more && JSON.parse(await unpack(more))), ...typed}));
   }
 
@@ -27,7 +27,7 @@ export class Address {
       return true;
     } catch (error) {
       console.warn(error);
-      this.tell(name + ' is damaged or incomplete, so nothing could be opened from it.');
+      this.tell(TEXTS.damaged(name));
       return false;
     }
   }
@@ -55,15 +55,14 @@ export class Address {
   /** A link that others cannot use, or none, comes with a file in its place. */
   async copy() {
     const link = await this.write(), isLocal = location.protocol === 'file:';
-    const done = link === null ? 'This scene is too long for a link.'
-        : await navigator.clipboard?.writeText(link).then(() => 'The link is in the clipboard.', () => null)
-        ?? 'The link is in the address bar; copy it there.';
-    const file = make('button', {type: 'button', textContent: 'Save lab.json', onclick: () => save('lab.json',
+    const done = link === null ? TEXTS.tooLong
+        : await navigator.clipboard?.writeText(link).then(() => TEXTS.copied, () => null)
+        ?? TEXTS.notCopied;
+    const file = make('button', {type: 'button', textContent: TEXTS.saveState, onclick: () => save('lab.json',
         new Blob([JSON.stringify(this.describe())], {type: 'application/json'}))});
-    const embed = make('input', {type: 'text', readOnly: true, ariaLabel: 'To embed',
+    const embed = make('input', {type: 'text', readOnly: true, ariaLabel: TEXTS.toEmbed,
       value: `<iframe src="${link}" width="1000" height="700"></iframe>`});
-    this.tell(done, ...(link !== null && !isLocal ? [' To embed: ', embed] : [
-        isLocal ? ' This page is a file, so links work on this machine alone. ' : ' ',
-        'Send a file instead, which "Open" above the scene\'s text opens: ', file]));
+    this.tell(done, ...(link !== null && !isLocal ? [' ', TEXTS.toEmbed, ' ', embed]
+        : [' ', isLocal ? TEXTS.local : '', ' ', TEXTS.sendFile, ' ', file]));
   }
 }

@@ -7,7 +7,7 @@ export class Editor {
   constructor(textarea, changed) {
     this.changed = changed;
     this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2,
-      screenReaderLabel: 'Scene file', extraKeys: {Tab: false, 'Shift-Tab': false}});
+      screenReaderLabel: TEXTS.elements.editorName, extraKeys: {Tab: false, 'Shift-Tab': false}});
     this.code.getScrollerElement().tabIndex = 0;         // for keys that scroll
     this.marks = [];
     this.code.on('change', (code, change) => {

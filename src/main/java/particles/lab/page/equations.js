@@ -20,7 +20,7 @@ const typeset = part => tag('math', part.replace(/([=(] ?)-/g, '$1~').replace(TO
 const shown = value => Array.isArray(value) ? '(' + value.map(one => few(one)).join(', ') + ')' : few(value);
 
 /** The smallest and the largest number, if they differ. */
-const span = numbers => [...new Set([Math.min(...numbers), Math.max(...numbers)])].map(one => few(one)).join(' to ');
+const span = numbers => TEXTS.span([...new Set([Math.min(...numbers), Math.max(...numbers)])].map(one => few(one)));
 
 /** solver: its name; laws: those that the scene names; structure: the particles and springs */
 export function showEquations({solver, laws, dampings}, {stiffness, restLengths}) {

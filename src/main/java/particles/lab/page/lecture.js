@@ -53,7 +53,7 @@ export class Lecture {
     document.body.classList.toggle('lecture', this.on);
     $('lecture').hidden = !this.on;
     if (this.on) {
-      $('endLecture').textContent = history.state ? 'End, back to my scene' : 'End';
+      $('endLecture').textContent = history.state ? TEXTS.backToScene : TEXTS.elements.endLecture;
       $('slides').value = slide;
       $('ask').textContent = STATIONS[slide].ask;
       $('previousSlide').disabled = slide === 0;

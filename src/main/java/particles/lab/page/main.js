@@ -22,7 +22,6 @@ import {Film, Rates, offer} from './saving.js';
 import {Settings} from './settings.js';
 import {Stability} from './stability.js';
 import {columnsOf} from './structure.js';
-import {ofPage} from './words.js';
 
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
@@ -102,7 +101,7 @@ function beforeLecture() {
 function openState(state) {
   const name = nameOf(state.scene), own = textOf(name);
   if (typeof (state.text ?? own) !== 'string') {
-    throw new Error('no scene');
+    throw new Error(state.scene);
   }
   $('scene').value = name ?? $('scene').value;
   $('equalWork').checked = Boolean(state.equalWork);
@@ -160,8 +159,7 @@ function opened(message) {
     showText(0);
     editor.show(errors);
     showEditor(true);
-    $('message').textContent = 'The scene has ' + (errors.length === 1 ? 'an error' : errors.length + ' errors')
-        + '; see below its text.';
+    $('message').textContent = TEXTS.errors(errors.length);
     return;
   }
   good = sent();
@@ -174,7 +172,7 @@ function opened(message) {
   if (facts.recorded !== undefined) {
     showRecorded();
   }
-  $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
+  $('teaches').textContent = facts.title + ': ' + facts.teaches;
   if (facts.remarks.length) {
     note(facts.remarks.join('; '));
   }
@@ -194,14 +192,14 @@ function showRecorded() {
   document.body.classList.add('recorded');
   hand.dragged = null;
   editor.lock();
-  note('A recorded run: ' + captionOf(facts) + (facts.recorded && '; ' + facts.recorded) + '.');
+  note(TEXTS.recorded(captionOf(facts), facts.recorded));
 }
 
 // ---- the text of the first run, or that of one beside it ----
 
 function showText(run) {
   edits = run > panels.all.length ? 0 : run;
-  const names = ['run 1', ...panels.all.map(panel => panel.name)];
+  const names = [TEXTS.run(1), ...panels.all.map(panel => panel.name)];
   $('textOf').replaceChildren(...names.map((name, i) => new Option(name, i)));
   $('textOf').value = edits;
   $('textOfLabel').hidden = names.length === 1;
@@ -299,7 +297,7 @@ function pulled(id, point) {
 /** Compares the runs of one scene, once all are opened. */
 function startNearest() {
   if (structure && panels.all.every(panel => panel.facts)) {
-    nearest.start([{name: 'run 1: ' + facts.solver, opening: good}, ...panels.all
+    nearest.start([{name: TEXTS.run(1) + ': ' + facts.solver, opening: good}, ...panels.all
         .filter(({choice}) => choice.text === undefined).map(({name, index, choice, opening}) =>
         ({name: name + ': ' + choice.solver, colour: COLOURS[index], opening}))], good, facts, structure);
   }

@@ -65,9 +65,8 @@ export class Nearest {
     const uncertainty = mean(other, k => reference[k]);
     const size = Math.max(...times.map(k => distance(reference[k], reference[0])));
     const runs = own.map((one, i) => ({name: this.runs[i].name, metres: mean(one, k => reference[k])}));
-    return 'Mean distance over ' + few(reference[times.at(-1)].time) + ' s: ' + runs.map(({name, metres}) => name
-        + (metres < Infinity ? ' ' + few(metres, 2) + ' m' : ' stops')).join(', ') + '. '
-        + nearestOf(runs, uncertainty, size);
+    return TEXTS.meanDistances(few(reference[times.at(-1)].time), runs.map(({name, metres}) => metres < Infinity
+        ? name + ' ' + few(metres, 2) + ' m' : TEXTS.stops(name))) + nearestOf(runs, uncertainty, size);
   }
 }
 
@@ -84,9 +83,9 @@ function distance({state: one}, {state: other}) {
 function nearestOf(runs, uncertainty, size) {
   const [first, second] = [...runs].sort((a, b) => a.metres - b.metres);
   // the states that are compared have seven digits
-  return first.metres > PARTED * size ? 'All have left the reference.'
-      : second.metres <= Math.max(3 * uncertainty, 1e-6 * size) ? 'No difference that the reference can tell.'
-      : second.metres < CLEAR * first.metres ? 'No clear difference.'
-      : 'Nearest: ' + first.name + (second.metres < Infinity ? ', ' + few(second.metres / first.metres, 2)
-      + ' times nearer than ' + second.name : '') + '.';
+  return first.metres > PARTED * size ? TEXTS.left
+      : second.metres <= Math.max(3 * uncertainty, 1e-6 * size) ? TEXTS.noDifference
+      : second.metres < CLEAR * first.metres ? TEXTS.notClear
+      : TEXTS.nearest(first.name, second.metres < Infinity && few(second.metres / first.metres, 2),
+          second.name);
 }

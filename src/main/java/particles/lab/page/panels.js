@@ -7,8 +7,8 @@ import {makeView} from './view.js';
 const MOST = 3;
 export const COLOURS = ['#e69f00', '#009e73', '#cc79a7'];       // the first run is blue
 
-export const captionOf = ({solver, deltaT}) => `${solver}, deltaT = ${few(deltaT)} s`;
-export const momentOf = ({time, evaluations}) => `: ${few(time)} s, ${evaluations} evaluations`;
+export const captionOf = ({solver, deltaT}) => TEXTS.caption(solver, few(deltaT));
+export const momentOf = ({time, evaluations}) => TEXTS.moment(few(time), evaluations);
 
 const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
 /** Whether the line of a key differs in two texts. */
@@ -83,7 +83,7 @@ class Panel {
     this.caption = make('figcaption', {className: 'caption'});
     this.caption.style.borderColor = COLOURS[this.index];
     const picture = make('div', {className: 'view'});
-    Object.assign(picture, {role: 'img', ariaLabel: 'The scene of ' + this.name});
+    Object.assign(picture, {role: 'img', ariaLabel: TEXTS.sceneOf(this.name)});
     this.figure.append(picture, this.caption);
     $('views').append(this.figure);
     this.view = makeView(picture);
@@ -101,11 +101,11 @@ class Panel {
     solver.onchange = () => this.choose({solver: solver.value});
     this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
     this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
-    const remove = make('button', {type: 'button', textContent: 'Remove', onclick: () => this.panels.remove(this)});
+    const remove = make('button', {type: 'button', textContent: TEXTS.remove, onclick: () => this.panels.remove(this)});
     this.error = make('p');
     this.error.setAttribute('role', 'alert');
-    const name = make('label', {textContent: 'Solver of ' + this.name + ' '});
-    const step = make('label', {textContent: 'Its deltaT (s) '});
+    const name = make('label', {textContent: TEXTS.solverOf(this.name) + ' '});
+    const step = make('label', {textContent: TEXTS.itsStep + ' '});
     name.append(solver);
     step.append(this.step);
     this.row.append(name, step, remove, this.error);
@@ -113,7 +113,7 @@ class Panel {
   }
 
   get name() {
-    return 'run ' + (this.index + 2);
+    return TEXTS.run(this.index + 2);
   }
 
   choose(more) {
@@ -144,7 +144,7 @@ class Panel {
       this.opening = {...opening, deltaT: String(deltaT)};
       this.worker.postMessage(this.opening);
     } else {
-      this.note = 'No fixed number of evaluations per step, so its own deltaT.';
+      this.note = TEXTS.noCost;
     }
     return deltaT > 0;
   }
@@ -181,7 +181,7 @@ class Panel {
     this.view.show(message);
     this.error.textContent = message.failure || this.note;
     this.caption.textContent = captionOf(this.facts) + momentOf(message)
-        + (this.choice.text === undefined ? '' : ', own text');
+        + (this.choice.text === undefined ? '' : TEXTS.ownText);
   }
 
   /** Looks at the scene from where the first picture does. */

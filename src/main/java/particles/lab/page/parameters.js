@@ -4,7 +4,6 @@ import {$, few, make} from './dom.js';
 const MOST = 20, STEPS = 200, FACTOR = 20, HUGE = 1e29;
 const NOT_BEHAVIOUR = /^(camera|look|output|solver|deltaT|duration|blowUpFactor|constraints)$/;
 const GRAVITY = /^(\s*-\s*)(gravity(?:: *\{acceleration: *\[0(?:\.0)?, *([-+.\de]+), *0(?:\.0)?\]\})?)(?=\s*(#|$))/;
-const PLACES = {'another place': '', Earth: 9.81, Moon: 1.62, Jupiter: 24.79, 'no gravity': 0};       // m/s^2
 const digits = value => few(value, 3);
 
 export class Parameters {
@@ -47,7 +46,7 @@ export class Parameters {
     const output = make('output');
     slider.tell = () => {
       const {range, unit, value} = slider, text = digits(value) + ' ' + unit;
-      slider.place && (slider.place.value = Object.values(PLACES).includes(value) ? value : '');
+      slider.place && (slider.place.value = Object.values(TEXTS.places).includes(value) ? value : '');
       input.value = STEPS * range.part(slider.value);
       input.setAttribute('aria-valuetext', text);
       output.textContent = text;
@@ -64,9 +63,9 @@ export class Parameters {
 
   /** The gravity of well-known places. */
   places(slider) {
-    slider.place = make('select', {ariaLabel: 'Gravity of',
+    slider.place = make('select', {ariaLabel: TEXTS.gravityOf,
       onchange: ({target: {value}}) => slider.take(Number(value))});
-    slider.place.append(...Object.entries(PLACES).map(([name, value]) => new Option(name, value)));
+    slider.place.append(...Object.entries(TEXTS.places).map(([name, value]) => new Option(name, value)));
     slider.place.options[0].disabled = true;
     return slider.place;
   }
@@ -99,8 +98,7 @@ function parametersOf(numbers, lines) {
       owner: id ?? owner, all: owner, spans: []};
     one.spans.push(span(number.line, number.column - 1,
         /^[-+.\w]+/.exec(lines[number.line - 1].slice(number.column - 1))?.[0].length ?? 0));
-    one.label = one.key + ' (' + (one.spans.length > 1 ? one.all + ', ' + one.spans.length + ' of them' : one.owner)
-        + ')';
+    one.label = one.key + ' (' + (one.spans.length > 1 ? TEXTS.several(one.all, one.spans.length) : one.owner) + ')';
     groups.set(group, one);
   }
   return named([...groups.values()]);

@@ -30,9 +30,10 @@ export class PhaseSpace {
   /** What can be plotted: time, what the chosen particle has, energies. */
   quantities() {
     const all = (names, what, unit) => names.map((name, k) => ({what: what + k, unit, label: `${name} (${unit})`}));
-    return [...all(['time'], -1, 's'), ...all(['x', 'y', 'z'], 0, 'm'), ...all(['vx', 'vy', 'vz', 'speed'], 3, 'm/s'),
-      ...all(this.facts.energies, 8, 'J'), ...this.others.filter(other => other !== this.id).map(other =>
-      ({what: 7, other, unit: 'm', label: `distance to ${other} (m)`}))].map(one => ({...one, id: this.id}));
+    return [...all([TEXTS.time], -1, 's'), ...all(['x', 'y', 'z'], 0, 'm'),
+      ...all(['vx', 'vy', 'vz', TEXTS.speedName], 3, 'm/s'), ...all(this.facts.energies, 8, 'J'),
+      ...this.others.filter(other => other !== this.id).map(other => ({what: 7, other, unit: 'm',
+        label: TEXTS.distanceTo(other) + ' (m)'}))].map(one => ({...one, id: this.id}));
   }
 
   chosen(select) {
@@ -69,7 +70,7 @@ export class PhaseSpace {
   }
 
   forget() {
-    $('particle').replaceChildren(new Option('none yet', ''));
+    $('particle').replaceChildren(new Option(TEXTS.noParticle, ''));
   }
 
   /** The particles that can move; in a scene with births they come and go. */

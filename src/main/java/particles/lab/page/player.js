@@ -2,8 +2,6 @@
 import {$, few, make} from './dom.js';
 
 const LONG = 1, STEPPING = ['play', 'step', 'goOn'];           // seconds
-const SLOWED = 'This run fails. Its last steps, slowed down:';
-const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 
 export class Player {
   /**
@@ -34,8 +32,8 @@ export class Player {
   /** Says so when a step takes long. */
   watch(now) {
     const seconds = (now - this.waiting) / 1000, {steps, seconds: all} = this.frame ?? {};
-    $('waiting').textContent = seconds < LONG ? '' : `A step is being computed, for ${Math.round(seconds)} s now`
-        + (steps > 0 ? `; the ${steps} before took ${few(all / steps, 2)} s each.` : '.');
+    $('waiting').textContent = seconds < LONG ? '' : TEXTS.longStep(Math.round(seconds))
+        + (steps > 0 ? TEXTS.longSteps(steps, few(all / steps, 2)) : '.');
   }
 
   get endless() {
@@ -83,7 +81,7 @@ export class Player {
   showStart() {
     const frame = this.frame;
     const again = !frame || frame.failure || frame.over && !this.looking || !frame.steps;
-    $('start').textContent = this.playing ? 'Pause' : again ? 'Start' : 'Continue';
+    $('start').textContent = this.playing ? TEXTS.pause : again ? TEXTS.elements.start : TEXTS.goOn;
   }
 
   start() {
@@ -100,7 +98,7 @@ export class Player {
 
   /** The worker computes the run anew up to this moment; pulls are not repeated, so what they changed is not kept. */
   goOn(time) {
-    $('message').textContent = this.pulled && time > 0 ? WITHOUT_PULLS : '';
+    $('message').textContent = this.pulled && time > 0 ? TEXTS.withoutPulls : '';
     this.tell({type: 'goOn', time, speed: this.speed});
     if (this.pulled) {
       this.pulled = false;
@@ -164,7 +162,7 @@ export class Player {
     $('work').replaceChildren(...Object.entries(frame.work).filter(([name, joules]) => joules)
         .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
     if (frame.slowed || frame.failure && !this.looking) {
-      $('message').textContent = frame.slowed ? SLOWED : frame.failure;
+      $('message').textContent = frame.slowed ? TEXTS.slowed : frame.failure;
     }
     if (frame.over && !frame.failure && this.playing && $('atEnd').value === 'loop') {
       this.goOn(0);
@@ -182,6 +180,6 @@ export class Player {
     }
     this.waiting = Infinity;
     this.setPlaying(false);
-    $('message').textContent = 'Internal error; please report it: ' + message;
+    $('message').textContent = TEXTS.internalError(message);
   }
 }

@@ -47,14 +47,14 @@ export class EnergyPlot {
   build() {
     this.plot?.destroy();
     const error = this.names.length - 1;
-    const [time, energy] = axes('time (s)', 'energy (J)');
-    this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'error (J)')[1],
+    const [time, energy] = axes(TEXTS.timeAxis, TEXTS.energyAxis);
+    this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', TEXTS.errorAxis)[1],
       scale: 'error', side: 1, grid: {show: false}}],
       scales: {x: {time: false, range: (u, low, high) => [0, u.data[0].at(-1) > 0 ? high : this.duration]},
         error: this.logarithmic ? {distr: 3} : {range: rangeOfErrors}},
       cursor: {drag: {x: false, y: false}},
-      series: [{label: 'time (s)', value: latest},
-        ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? name + ' (from its lowest)' : name,
+      series: [{label: TEXTS.timeAxis, value: latest},
+        ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? TEXTS.fromLowest(name) : name,
         show: false, stroke: colourOf(name), width: (i === 0 ? 2.5 : 1.5) * scale(), scale: i === error ? 'error' : 'y',
         dash: i === error ? [4, 3] : [], value: latest,
         points: {show: (u, series, from, to) => to - from <= FEW, size: 5}}))]}, this.shown(), this.element);
@@ -149,7 +149,7 @@ export class DistancePlot {
   start(runs, duration) {
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
-    const [time, distance] = axes('time (s)', 'distance (m)');
+    const [time, distance] = axes(TEXTS.timeAxis, TEXTS.distanceAxis);
     this.plot = new uPlot({...size(this.element), mode: 2,
       axes: [time, {...distance, splits: decades, filter: (u, splits) => splits}],
       scales: {x: {time: false, range: [0, duration]}, y: {distr: 3}}, cursor: {show: false},
@@ -220,7 +220,7 @@ export class PhasePlot {
   /** quantities: the horizontal one, and those over it; others: the colours of other runs' curves of the first */
   start(quantities, others = []) {
     const [across, ...up] = quantities;
-    const names = up.map(({label, id}) => up.length > 1 ? `${label} of ${id}` : label);
+    const names = up.map(({label, id}) => up.length > 1 ? TEXTS.of(label, id) : label);
     this.quantities = quantities;
     // of each run, the times and the values
     this.curves = [quantities, ...others.map(() => quantities.slice(0, 2))].map(one => [[], ...one.map(() => [])]);
@@ -233,10 +233,10 @@ export class PhasePlot {
       axes: axes(across.label, [...new Set(up.map(({label}) => label))].join(', ')),
       scales: {x: {time: false, range}, y: {range}},
       legend: {show: up.length > 1, live: false}, cursor: {show: false},
-      series: [{}, {...line('reference', () => ink('--line')), width: 7}, {...line(names[0], COLOURS[1]), dots: true},
-        {...line('marks', COLOURS[0]), paths: polyline(true)},
+      series: [{}, {...line(TEXTS.reference, () => ink('--line')), width: 7},
+        {...line(names[0], COLOURS[1]), dots: true}, {...line(TEXTS.marks, COLOURS[0]), paths: polyline(true)},
         ...names.slice(1).map((name, k) => line(name, MORE[k % MORE.length])),
-        ...others.map((colour, k) => line('run ' + (k + 2), colour))]}, this.data, this.element);
+        ...others.map((colour, k) => line(TEXTS.run(k + 2), colour))]}, this.data, this.element);
   }
 
   /** A metre is as long as a metre a second where both fit: with omega = 1 an exact circle is seen as one. */
@@ -287,8 +287,8 @@ export class PhasePlot {
     const period = this.quantities[0].what < 0 ? lastPeriod(this.curves[0].slice(1)) : null;
     this.data[3] = [0, 1].map(k => [this.now?.[k] ?? NaN, ...(period?.map(point => point[k]) ?? [])]);
     const [[t0, high], [, low], [t1]] = period ?? [[], [], []];
-    $('period').textContent = period ? `Between the last two maxima: period ${few(t1 - t0)} s, amplitude `
-        + few((high - low) / 2) + ' ' + this.quantities[1].unit : '';
+    $('period').textContent = period ? TEXTS.period(few(t1 - t0), few((high - low) / 2) + ' ' + this.quantities[1].unit)
+        : '';
   }
 
   draw() {

@@ -115,7 +115,7 @@ export class Film {
     const type = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4']
         .find(one => window.MediaRecorder?.isTypeSupported(one));
     if (!type) {
-      this.told('This browser cannot record films.');
+      this.told(TEXTS.noFilms);
       return;
     }
     this.canvas = this.picture();
@@ -127,13 +127,13 @@ export class Film {
     this.recorder.onstop = () => {
       this.recorder = null;
       this.resize(false);
-      $('film').textContent = 'Film';
+      $('film').textContent = TEXTS.elements.film;
       this.told('');
       save(name() + (type.includes('mp4') ? '.mp4' : '.webm'), new Blob(parts, {type}));
     };
     this.recorder.start();
-    $('film').textContent = 'End the film';
-    this.told('Recording: "End the film" saves it.');
+    $('film').textContent = TEXTS.endFilm;
+    this.told(TEXTS.recording);
   }
 
   /** The picture has been drawn anew. */

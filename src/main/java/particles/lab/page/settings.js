@@ -31,19 +31,17 @@ export class Settings {
     $('solver').value = facts.solver;
     $('tolerance').value = tolerance;
     $('set').value = set;
-    $('sentence').textContent = solver?.sentence ?? 'A solver of your own.';
+    $('sentence').textContent = solver?.sentence ?? TEXTS.ownSolver;
     $('toleranceLabel').hidden = !solver?.adaptive;
     $('deltaTNumber').value = facts.deltaT;
     slider.value = Math.log10(facts.deltaT);
-    slider.setAttribute('aria-valuetext', facts.deltaT + ' seconds');
+    slider.setAttribute('aria-valuetext', TEXTS.seconds(facts.deltaT));
     const part = limit > 0 ? (Math.log10(limit) - slider.min) / (slider.max - slider.min) : -1;
     $('mark').hidden = !(part >= 0 && part <= 1);
     $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
-    $('limit').textContent = facts.deltaT > facts.duration ? 'Longer than the scene: one step of ' + few(facts.duration)
-        + ' s.' : solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
-        : limit === 0 ? facts.damping ? '' : 'Undamped springs gain energy at any deltaT.'
-        : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
-        : solver?.sentence ? 'No spring limits deltaT here.' : '';
+    $('limit').textContent = facts.deltaT > facts.duration ? TEXTS.longerThanScene(few(facts.duration))
+        : solver?.adaptive ? TEXTS.ownSteps : limit === 0 ? facts.damping ? '' : TEXTS.unstable
+        : limit > 0 ? TEXTS.stable(few(limit)) : solver?.sentence ? TEXTS.unlimited : '';
     this.refuse([]);
     this.showStability(facts.deltaT);
   }

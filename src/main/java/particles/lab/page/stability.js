@@ -65,16 +65,15 @@ export class Stability {
   fail({message, asked}) {
     if (asked.solver === this.facts.solver) {
       this.growth = null;
-      $('growth').textContent = asked.solver + ' cannot be tried: ' + message;
+      $('growth').textContent = TEXTS.untried(asked.solver, message);
     }
   }
 
   tell() {
     const [re, im] = this.z, growth = this.growth;
-    $('growth').textContent = 'h λ = ' + digits(re) + (im > 0 ? ' ± ' + digits(im) + ' i' : '') + (growth === null ? ''
-        : growth > 1 + ROUNDING ? ': each step multiplies this vibration by ' + factor(growth) + ', so it grows.'
-        : growth > 1 - 1e-6 ? ': each step keeps its size.'
-        : ': each step multiplies this vibration by ' + factor(growth) + ', so it decays.');
+    $('growth').textContent = 'h λ = ' + digits(re) + (im > 0 ? ' ± ' + digits(im) + ' i' : '')
+        + (growth === null ? '' : growth > 1 + ROUNDING ? TEXTS.grows(factor(growth))
+        : growth > 1 - 1e-6 ? TEXTS.keepsSize : TEXTS.decays(factor(growth)));
   }
 
   draw() {
@@ -104,7 +103,7 @@ export class Stability {
     for (let im = 1 - TOP; im < TOP; im++) {
       im && c.fillText(im + ' i', x(0) + 4, y(im) + 4);
     }
-    c.fillText(values ? 'coloured: stable' : 'The region is being computed ...', 8, 16);
+    c.fillText(values ? TEXTS.coloured : TEXTS.computing, 8, 16);
     for (const sign of [1, -1]) {
       const [re, im] = [this.z[0], sign * this.z[1]];
       const at = [Math.min(width - 8, Math.max(8, x(re))), Math.min(height - 8, Math.max(8, y(im)))];
@@ -112,7 +111,7 @@ export class Stability {
       c.beginPath();
       c.arc(...at, 5, 0, 2 * Math.PI);
       c.fill();
-      re < WINDOW.left || im > TOP || re > RIGHT ? c.fillText('outside the picture', 18, at[1] + 4) : 0;
+      re < WINDOW.left || im > TOP || re > RIGHT ? c.fillText(TEXTS.outside, 18, at[1] + 4) : 0;
     }
   }
 }
@@ -126,5 +125,5 @@ function stiffest({omega, damping}, h) {
 function factor(growth) {
   const difference = growth - 1;
   return Math.abs(difference) < 0.01 ? '1 ' + (difference > 0 ? '+ ' : '- ') + digits(Math.abs(difference))
-      : growth < 1e6 ? digits(growth) : 'more than a million';
+      : growth < 1e6 ? digits(growth) : TEXTS.overMillion;
 }

@@ -23,7 +23,7 @@ export const makeView = element => CAN_DRAW ? new View(element) : new NoPicture(
 
 class NoPicture {
   constructor(element) {
-    element.append('No picture: this browser has no WebGL 2. Plots, numbers and the editor work.');
+    element.append(TEXTS.noWebGL);
   }
 
   open(facts) {
