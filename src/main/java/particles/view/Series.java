@@ -36,30 +36,17 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
         OPEN_POINTS,
         /** A line with points. */
         LINE_AND_POINTS,
-        /** A line with hollow points, so that filled points on top of some of them stand out. */
-        LINE_AND_OPEN_POINTS,
-        /** Filled points on top of some of a line's hollow ones; the line has the name. */
-        FITTED_POINTS,
-        /** Thin straight lines, with gaps between them: the spread of a measurement. The line has the name. */
-        BARS,
         /** Crosses, for failed runs. */
-        FAILURES,
-        /** Rings, for runs that were given up. */
-        GIVEN_UP;
+        FAILURES;
 
         /** @return whether it is a curve, which can have its name at its end */
         public boolean isCurve() {
-            return this == LINE || this == BAND || this == LINE_AND_POINTS || this == LINE_AND_OPEN_POINTS;
+            return this == LINE || this == BAND || this == LINE_AND_POINTS;
         }
 
         /** @return whether it is wide and pale, with everything else on top */
         public boolean isWide() {
             return this == BAND || this == FILL;
-        }
-
-        /** @return whether it shows a part of a curve again, which has the name */
-        public boolean isDetail() {
-            return this == FITTED_POINTS || this == BARS;
         }
     }
 

@@ -12,6 +12,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.experiments.grid.Grid.Row;
 import particles.experiments.grid.Measure.Kind;
+import particles.experiments.runs.RunCharts.Curve;
+import particles.experiments.runs.RunCharts;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -54,7 +56,7 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
                 .toList();
     }
 
-    /** The chart, and below it the runs that failed, in a row for each curve. */
+    /** The chart, and below it the runs without a result, in a row for each curve. */
     private List<Chart> charts(Measure measure, List<Row> some) {
         GridAxis first = grid.axes().get(0);
         Map<String, Double> places = places(first);
@@ -62,25 +64,18 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
         int m = measures.indexOf(measure);
         List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : some(grid.axes().get(1));
         Axis y = measure.axis(first.log());
-        List<Series> series = new ArrayList<>();
-        List<Series> failed = new ArrayList<>();
-        for (int c = 0; c < curves.size(); c++) {
-            String curve = curves.get(c);
-            int number = c;
-            Look look = SolverCatalog.find(curve).map(Look::of).orElseGet(() -> Look.number(number));
-            List<Row> own = some.stream().filter(row -> grid.axes().size() < 2 || row.at().get(1).equals(curve))
-                    .toList();
-            series.add(Series.of(look, named(curve), Mark.LINE_AND_POINTS, own, x, row -> row.measured().get(m))
-                    .ending(y));
-            failed.add(Series.of(look, "failed", Mark.FAILURES, own.stream().filter(row ->
-                    !row.end().equals(SceneGrid.WHOLE)).toList(), x, row -> number));
-        }
+        List<Curve<Row>> drawn = IntStream.range(0, curves.size()).mapToObj(c -> new Curve<>(named(curves.get(c)),
+                SolverCatalog.find(curves.get(c)).map(Look::of).orElseGet(() -> Look.number(c)),
+                some.stream().filter(row -> grid.axes().size() < 2 || row.at().get(1).equals(curves.get(c))).toList()))
+                .toList();
+        List<Chart> charts = new RunCharts<>(drawn, first.axis(), x).charts(y, row -> row.measured().get(m),
+                runs -> "");
         if (first.numbers().isEmpty()) {                // its values are rows, and the measure is along x
-            return List.of(new Chart(y, Axis.linear(first.key(), ""), series.stream().map(one -> new Series(one.look(),
-                    one.name(), Mark.POINTS, one.y(), one.x())).toList()).inRows(first.values()));
+            return List.of(new Chart(y, Axis.linear(first.key(), ""), charts.get(0).series().stream().map(one ->
+                    new Series(one.look(), one.name(), Mark.POINTS, one.y(), one.x())).toList())
+                    .inRows(first.values()));
         }
-        return new Chart(first.axis(), y, series).named(measure.name().replace(' ', '-'))
-                .above("failed", curves.stream().map(this::named).toList(), failed);
+        return charts;
     }
 
     private static List<String> some(GridAxis axis) {

@@ -2,7 +2,6 @@ package particles.experiments.runs;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.util.List;
 
 /** Measures CPU time, which does not include other work on the machine. */
 public final class CpuClock {
@@ -10,11 +9,6 @@ public final class CpuClock {
     private static final double NANO = 1e-9;
 
     private CpuClock() {
-    }
-
-    /** @return the median of times, the larger one of the two in the middle */
-    public static double median(List<Double> times) {
-        return times.stream().sorted().toList().get(times.size() / 2);
     }
 
     /**

@@ -1,16 +1,25 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.problems.StiffSpringPair;
+import deSolvers.text.Digits;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.experiments.runs.FewestSteps;
 import particles.experiments.runs.FittedLine;
+import particles.experiments.runs.RunCharts;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
+import particles.view.Axis;
+import particles.view.Chart;
+import particles.view.DataTable;
 
 /**
  * Measures the cost of stiffness: two masses swing slowly, whatever the stiffness of the spring between them, while
@@ -29,33 +38,23 @@ public final class StiffGallery {
     private static final double NEAR = 1.01;
     /** A run is stable if its step is shorter than this part of the solver's limit. */
     private static final double BELOW_LIMIT = 0.99;
-    static final double FIT_FROM = 1e3;
+    private static final double FIT_FROM = 1e3;
+    private static final Axis STIFFNESS = Axis.log("stiffness k", "N/m");
+    /** Smaller values are drawn as this one: the vibration is gone. */
+    private static final double GONE = 1e-16;
 
     /**
      * The cost of one solver at one stiffness; NaN if no number of steps is enough.
      *
+     * @param solver       the solver
      * @param stiffness    the stiffness of the spring between the masses (N/m)
-     * @param toBeStable   the evaluations of the cheapest stable run
+     * @param toBeStable   the evaluations of the cheapest stable run; NaN also for an adaptive solver
      * @param toOnePercent the evaluations of the cheapest run whose swing is right to 1 %
      * @param vibrationLeft the energy of the stiff vibration divided by that at the start; the largest value in the
      *                      last tenth of that run, since it oscillates with a symplectic solver close to its limit
      */
-    public record Cost(double stiffness, double toBeStable, double toOnePercent, double vibrationLeft) {
-    }
-
-    /**
-     * The costs of one solver over all stiffnesses.
-     *
-     * @param solver      the solver
-     * @param neverStable whether the undamped vibration grows at any step
-     * @param costs       its costs, from soft to stiff
-     */
-    public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs) {
-        /** @return the exponent of the stiffness in a cost; NaN if there is none */
-        public double exponent(ToDoubleFunction<Cost> evaluations) {
-            return FittedLine.exponent(costs.stream().filter(cost -> cost.stiffness() >= FIT_FROM
-                    && !Double.isNaN(evaluations.applyAsDouble(cost))).toList(), Cost::stiffness, evaluations);
-        }
+    public record Cost(SolverChoice solver, double stiffness, double toBeStable, double toOnePercent,
+                       double vibrationLeft) {
     }
 
     /**
@@ -73,12 +72,11 @@ public final class StiffGallery {
     /**
      * @param solver  the solver
      * @param decades the number of decades of stiffness, from 1 N/m
-     * @return its costs
+     * @return its costs, from soft to stiff
      */
-    public static Sweep sweep(SolverChoice solver, int decades) {
+    public static List<Cost> sweep(SolverChoice solver, int decades) {
         double limit = solver.adaptive() ? Double.NaN : StabilityLimit.imaginary(Amplification.of(solver)).value();
-        return new Sweep(solver, limit == 0, IntStream.rangeClosed(0, decades)
-                .mapToObj(d -> cost(solver, StrictMath.pow(10, d), limit)).toList());
+        return IntStream.rangeClosed(0, decades).mapToObj(d -> cost(solver, StrictMath.pow(10, d), limit)).toList();
     }
 
     private static Cost cost(SolverChoice solver, double k, double limit) {
@@ -87,7 +85,7 @@ public final class StiffGallery {
             for (double t = PRECISION; !run.precise() && t > 1e-9; t /= 3) {
                 run = run(solver, k, 1, t);
             }
-            return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN,
+            return new Cost(solver, k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN,
                     run.precise() ? run.vibration() : Double.NaN);
         }
         int stable = limit == 0 ? 1 : (int) Math.max(2, Math.ceil(DURATION * new StiffSpringPair(k).omega()
@@ -95,7 +93,7 @@ public final class StiffGallery {
         int precise = FewestSteps.find(2, MOST_STEPS / (solver.implicit() ? 16 : 1), NEAR, steps -> steps >= stable
                 && run(solver, k, steps, 0).precise());
         Run best = run(solver, k, Math.max(1, precise), 0);
-        return new Cost(k, limit == 0 ? Double.NaN : run(solver, k, stable, 0).evaluations(),
+        return new Cost(solver, k, limit == 0 ? Double.NaN : run(solver, k, stable, 0).evaluations(),
                 precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
     }
 
@@ -121,5 +119,55 @@ public final class StiffGallery {
         } catch (DESolverException e) {
             return Double.POSITIVE_INFINITY;            // it overflows
         }
+    }
+
+    /**
+     * @param costs the costs of all solvers
+     * @return charts over the stiffness: evaluations for an error of 1 %, evaluations needed to be stable, and the rest
+     *         of the vibration for solvers that can be stable; at the curves of evaluations is the exponent with which they grow
+     */
+    public static List<Chart> charts(List<Cost> costs) {
+        List<Chart> charts = new ArrayList<>(charts(costs, "evaluations for 1 % error of the swing", "",
+                Cost::toOnePercent, some -> power(some, Cost::toOnePercent)));
+        charts.addAll(charts(costs.stream().filter(cost -> !cost.solver.adaptive()).toList(),
+                "evaluations to be stable", "evaluations-to-be-stable", Cost::toBeStable,
+                some -> power(some, Cost::toBeStable)));
+        charts.addAll(charts(costs.stream().filter(cost -> !Double.isNaN(cost.toBeStable) || cost.solver.implicit())
+                .toList(), "fast-mode energy, end / start (\u2265 " + Digits.few(GONE) + ")", "fast-mode-energy-end",
+                cost -> Math.max(GONE, cost.vibrationLeft), some -> ""));
+        return charts;
+    }
+
+    private static List<Chart> charts(List<Cost> costs, String quantity, String name, ToDoubleFunction<Cost> value,
+            Function<List<Cost>, String> end) {
+        return RunCharts.of(costs, Cost::solver, STIFFNESS, Cost::stiffness).charts(Axis.log(quantity, ""), value, end)
+                .stream().map(chart -> chart.named(name)).toList();
+    }
+
+    private static String power(List<Cost> costs, ToDoubleFunction<Cost> evaluations) {
+        double exponent = exponent(costs, evaluations);
+        return Double.isNaN(exponent) ? "" : "k^" + Digits.few(exponent, 2);
+    }
+
+    /** The exponent of the stiffness in a cost, to two decimals: those after that come from whole numbers of steps. */
+    static double exponent(List<Cost> costs, ToDoubleFunction<Cost> evaluations) {
+        double fitted = FittedLine.exponent(costs.stream().filter(cost -> cost.stiffness >= FIT_FROM
+                && !Double.isNaN(evaluations.applyAsDouble(cost))).toList(), Cost::stiffness, evaluations);
+        return Double.isNaN(fitted) ? fitted : Math.round(100 * fitted) / 100.0;
+    }
+
+    /**
+     * @param sweeps the costs of each solver
+     * @return the exponents, and the cost for the softest and the stiffest spring
+     */
+    public static DataTable table(List<List<Cost>> sweeps) {
+        return DataTable.of("stiffness", """
+                Evaluations grow as k^exponent, where k is the stiffness: for stability, and for an error of 1 %. \
+                Then, the evaluations for 1 % with the softest and the stiffest spring""", sweeps,
+                column("solver", sweep -> sweep.get(0).solver.label()),
+                column("exponent, stability", 3, sweep -> exponent(sweep, Cost::toBeStable)),
+                column("exponent, 1 %", 3, sweep -> exponent(sweep, Cost::toOnePercent)),
+                column("evaluations, softest", sweep -> sweep.get(0).toOnePercent),
+                column("evaluations, stiffest", sweep -> sweep.get(sweep.size() - 1).toOnePercent));
     }
 }

@@ -1,256 +1,244 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverInfo.Family;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.FittedLine;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.RunCharts;
 import particles.experiments.runs.SolverChoice;
-import particles.experiments.work.WorkPrecision.Point;
-import particles.view.Look;
+import particles.view.Axis;
+import particles.view.DataTable;
+import particles.view.Panel;
 
 /**
  * Work-precision experiment: solves a problem with ever shorter steps or tighter tolerances, and measures the error
  * against the evaluations of the derivative and against time.
- *
- * @param problem the problem to solve
- * @param solver  the solver
  */
-public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
+public final class WorkPrecision {
     /** A run with this error or more has no result. */
-    static final double USELESS = 10;
+    private static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
     /** All runs take turns, so many rounds. */
-    public static final int ROUNDS = 5;
+    private static final int ROUNDS = 5;
     /** In a round, short runs are repeated until all together took this time (s). */
     private static final double ENOUGH = 5e-4;
     private static final double LOOSEST = 1e-1;
     private static final double TIGHTEST = 1e-11;
     /** A tolerance so loose that an adaptive solver does not divide a step. */
     private static final double WHOLE_STEPS = 1;
+    /** Errors above this are too large to follow the power law. */
+    private static final double SMALL = 0.1;
+    /**
+     * The largest difference of the slopes from run to run on a line that counts as straight: 0.18 for radau on the
+     * stiff chain, 0.48 for rk4 there, at the edge of stability.
+     */
+    private static final double STRAIGHT = 0.25;
+    /** The same for tolerances, which a solver follows only roughly. */
+    private static final double ROUGHLY_STRAIGHT = 1;
 
-    /** The ways in which a run can fail. */
-    public enum Failure {
-        /** Its error grew beyond any use, or beyond all numbers. */
-        UNSTABLE("unstable"),
-        /** An iteration within the step did not converge, or the sub-steps became too short. */
-        NOT_CONVERGED("did not converge");
-
-        /** Its name in charts and tables. */
-        final String words;
-
-        Failure(String words) {
-            this.words = words;
-        }
+    private WorkPrecision() {
     }
 
     /**
      * One run.
      *
+     * @param problem     the problem
+     * @param solver      the solver
      * @param deltaT      the step (s); for tolerances the whole duration
      * @param tolerance   the relative and absolute tolerance; NaN for fixed steps
      * @param evaluations the number of evaluations of the derivative
      * @param error       the error at the end; NaN if the run failed
-     * @param times       the CPU times of the run (s) in each round, from the fastest
-     * @param failure     the way in which it failed, if it did
-     * @param why         the failure in words; empty if there is a result
+     * @param seconds     the CPU time of the run in the fastest round (s): other work on the machine only makes a
+     *                    round slower
+     * @param failure     the reason if it failed; empty otherwise
      */
-    public record Point(double deltaT, double tolerance, long evaluations, double error, List<Double> times,
-                        Optional<Failure> failure, String why) {
-        /** @return the time of the fastest round (s): other work on the machine only makes a round slower */
-        double fastest() {
-            return times.get(0);
-        }
-
-        /** @return the median of the times (s) */
-        double median() {
-            return CpuClock.median(times);
+    public record Run(WorkProblem problem, SolverChoice solver, double deltaT, double tolerance, long evaluations,
+                      double error, double seconds, String failure) {
+        private Run again() {
+            Run other = run(problem, solver, (int) Math.round(problem.duration() / deltaT), tolerance);
+            return other.seconds < seconds ? other : this;
         }
     }
 
     /**
-     * The work-precision curve of one solver.
+     * All runs take turns, round by round, so that other work on the machine slows down one round of many.
      *
-     * @param problem  the problem
-     * @param solver   the solver
-     * @param byStep   whether the step varies, by a factor of 2 from run to run; otherwise the tolerance varies, by a
-     *                 factor of 10
-     * @param points   the runs, from coarse to fine
-     * @param fit      the exponent of the error as a power of the step, or of the evaluations with the sign changed
-     * @param expected the theoretical slope; NaN if the method has no fixed order
+     * @param problems the problems
+     * @param solvers  the solvers
+     * @param progress receives the progress
+     * @return the runs of each solver on each problem, from coarse to fine
      */
-    public record Curve(WorkProblem problem, SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit,
-            double expected) {
-        /** @return the solver's name in charts */
-        public String label() {
-            return solver.label();
+    public static List<Run> measure(List<WorkProblem> problems, List<SolverChoice> solvers,
+            ProgressListener progress) {
+        double part = 1.0 / ROUNDS;
+        List<Run> runs = progress.part(0, part).parts(problems, (problem, some) -> some.each(solvers, solver ->
+                solver.label() + " on " + problem.name(), solver -> runs(problem, solver))).stream()
+                .flatMap(List::stream).flatMap(List::stream).toList();
+        for (int round = 1; round < ROUNDS; round++) {
+            runs = progress.part(part * round, part * (round + 1)).each(runs, run -> run.solver.label() + " on "
+                    + run.problem.name(), Run::again);
         }
-
-        /** @return the solver's look in charts */
-        Look look() {
-            return solver.look();
-        }
-
-        /** @return the same runs, with the times of another round */
-        public Curve timedAgain() {
-            WorkPrecision work = new WorkPrecision(problem, solver);
-            return new Curve(problem, solver, byStep, points.stream().map(point -> work.point((int) Math.round(
-                    problem.duration() / point.deltaT), point.tolerance, point.times)).toList(), fit, expected);
-        }
-
-        /** @return the runs over which the slope was fitted; empty without a slope */
-        List<Point> fitted() {
-            return fit.runs().stream().map(points::get).toList();
-        }
-
-        Stream<Point> failures(Failure kind) {
-            return points.stream().filter(point -> point.failure().equals(Optional.of(kind)));
-        }
+        return runs;
     }
 
-    /** @return the runs of this solver, with the times of the first round */
-    public Curve curve() {
-        List<Point> points = byStep() ? overSteps() : overTolerances();
-        double shortest = isStiff() ? problem.stiff().orElseThrow().deltaT() : 0;
-        return new Curve(problem, solver, byStep(), points,
-                SlopeFit.of(points, problem.floor(), byStep(), shortest), expected());
-    }
-
-    private boolean byStep() {
-        return !solver.adaptive() || isStiff();
-    }
-
-    private boolean isStiff() {
-        return solver.implicit() && problem.stiff().isPresent();
-    }
-
-    private long budget() {
-        return solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
-    }
-
-    private double tightest() {
-        return solver.implicit() ? problem.budget().tightestTolerance() : TIGHTEST;
-    }
-
-    /** The theoretical slope; an extrapolation method has none, since it varies its order. */
-    private double expected() {
-        double order = solver.info().filter(info -> info.family() == Family.EXTRAPOLATION).isPresent() ? Double.NaN
-                : solver.order();
-        return problem.stiff().map(stiff -> stiff.reduced().getOrDefault(solver.name(), order)).orElse(order);
-    }
-
-    private List<Point> overSteps() {
-        List<Point> points = new ArrayList<>();
-        int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
-        for (long next = steps; next <= budget(); steps *= 2) {
-            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN, List.of());
-            points.add(point);
+    /**
+     * Halves the step, or divides the tolerance by 10, as long as the work allows.
+     *
+     * @return the runs, with the times of one round
+     */
+    static List<Run> runs(WorkProblem problem, SolverChoice solver) {
+        List<Run> runs = new ArrayList<>();
+        boolean bySteps = isBySteps(problem, solver);
+        int steps = !bySteps ? 1 : solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
+        double tolerance = !bySteps ? LOOSEST : solver.adaptive() ? WHOLE_STEPS : Double.NaN;
+        long most = solver.implicit() ? problem.mostImplicit() : problem.mostExplicit();
+        for (long next = steps; next <= most && (bySteps || tolerance > TIGHTEST / 2);) {
+            Run run = run(problem, solver, steps, tolerance);
+            runs.add(run);
             // half the step doubles the work; a run that fails early says little about it
-            next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
+            next = 2 * (run.failure.isEmpty() ? run.evaluations : Math.max(next, run.evaluations));
+            steps *= bySteps ? 2 : 1;
+            tolerance /= bySteps ? 1 : 10;
         }
-        return points;
+        return runs;
     }
 
-    private List<Point> overTolerances() {
-        List<Point> points = new ArrayList<>();
-        for (double tolerance = LOOSEST; tolerance > 0.5 * tightest(); tolerance /= 10) {
-            points.add(point(1, tolerance, List.of()));
-        }
-        return points;
+    /** Implicit solvers are compared at equal steps where a problem is stiff, also the adaptive ones. */
+    private static boolean isBySteps(WorkProblem problem, SolverChoice solver) {
+        return !solver.adaptive() || solver.implicit() && problem.isStiff();
     }
 
-    private Point point(int steps, double tolerance, List<Double> before) {
+    private static Run run(WorkProblem problem, SolverChoice solver, int steps, double tolerance) {
+        double deltaT = problem.duration() / steps;
         double all = 0;
         int runs = 0;
         DEStateSource source;
-        Optional<DESolverException> thrown;
+        String failure;
         do {
             source = problem.start().get();
             DESolver fresh = solver.create(tolerance);
             double begin = CpuClock.seconds();
-            thrown = solve(source, fresh, steps);
+            failure = solve(source, fresh, steps, deltaT);
             all += CpuClock.seconds() - begin;
             runs++;
         } while (all < ENOUGH);
-        List<Double> times = Stream.concat(before.stream(), Stream.of(all / runs)).sorted().toList();
         double error = problem.error(source);
-        Optional<Failure> failure = thrown.map(this::kind).or(() -> error < USELESS ? Optional.empty()
-                : Optional.of(Failure.UNSTABLE));
-        String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
-                : "");
-        return new Point(problem.duration() / steps, tolerance, WorkProblem.evaluations(source),
-                failure.isPresent() ? Double.NaN : error, times, failure, why);
+        String why = failure.isEmpty() && !(error < USELESS) ? "the error is " + error : failure;
+        return new Run(problem, solver, deltaT, tolerance, WorkProblem.evaluations(source),
+                why.isEmpty() ? error : Double.NaN, all / runs, why);
     }
 
-    /**
-     * Finds the way of failing: an overflow has an entry of the state, an iteration that does not converge has none,
-     * and sub-steps become too short.
-     */
-    private Failure kind(DESolverException thrown) {
-        return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
-    }
-
-    private Optional<DESolverException> solve(DEStateSource source, DESolver fresh, int steps) {
+    private static String solve(DEStateSource source, DESolver fresh, int steps, double deltaT) {
         try {
             for (int n = 0; n < steps; n++) {
-                fresh.stepState(source, problem.duration() / steps);
+                fresh.stepState(source, deltaT);
             }
-            return Optional.empty();
+            return "";
         } catch (DESolverException e) {
-            return Optional.of(e);
+            return e.getMessage();
         }
     }
 
-    /**
-     * The slope of a solver's errors over the three finest runs whose errors are small and above round-off.
-     *
-     * @param slope  the exponent; NaN if there are no three such runs on a straight line
-     * @param runs   the runs of the fit, by their places in the list; none without a slope
-     * @param whyNot the reason if there is no slope; empty otherwise
-     */
-    public record SlopeFit(double slope, List<Integer> runs, String whyNot) {
-        /** Errors above this are too large to follow the power law. */
-        static final double SMALL = 0.1;
-        /**
-         * The largest difference of the slopes from run to run on a line that counts as straight: 0.18 for radau on the
-         * stiff chain, 0.48 for rk4 there, at the edge of stability.
-         */
-        private static final double STRAIGHT = 0.25;
-        /** The same for tolerances, which a solver follows only roughly. */
-        private static final double ROUGHLY_STRAIGHT = 1;
+    /** The theoretical slope; an extrapolation method has none, since it varies its order. */
+    static double theory(WorkProblem problem, SolverChoice solver) {
+        return solver.info().filter(info -> info.family() == Family.EXTRAPOLATION).isPresent() ? Double.NaN
+                : problem.reduced().getOrDefault(solver.name(), solver.order());
+    }
 
-        /**
-         * @param points   runs with ever shorter steps, or ever tighter tolerances
-         * @param floor    errors below this may be round-off
-         * @param byStep   whether the slope is that of the error as a power of deltaT; otherwise of the evaluations,
-         *                 with the sign changed
-         * @param shortest runs with shorter steps (s) are left out
-         * @return the slope over the three finest that remain, if they are on a straight line
-         */
-        static SlopeFit of(List<Point> points, double floor, boolean byStep, double shortest) {
-            List<Integer> usable = IntStream.range(0, points.size()).filter(k -> points.get(k).failure().isEmpty()
-                    && points.get(k).error() < SMALL && points.get(k).error() > floor
-                    && points.get(k).deltaT() >= shortest).boxed().toList();
-            if (usable.size() < FittedLine.FEWEST) {
-                return new SlopeFit(Double.NaN, List.of(), usable.size() + " errors between "
-                        + Digits.few(floor) + " and " + Digits.few(SMALL) + "; a slope needs " + FittedLine.FEWEST);
-            }
-            List<Integer> finest = usable.subList(usable.size() - FittedLine.FEWEST, usable.size());
-            double[] x = finest.stream().map(points::get).mapToDouble(point -> Math.log(byStep ? point.deltaT()
-                    : 1.0 / point.evaluations())).toArray();
-            double[] y = finest.stream().mapToDouble(k -> Math.log(points.get(k).error())).toArray();
-            double bend = (y[2] - y[1]) / (x[2] - x[1]) - (y[1] - y[0]) / (x[1] - x[0]);
-            return Math.abs(bend) <= (byStep ? STRAIGHT : ROUGHLY_STRAIGHT)
-                    ? new SlopeFit(FittedLine.of(x, y).slope(), finest, "")
-                    : new SlopeFit(Double.NaN, List.of(), "not on a straight line");
+    /**
+     * The slope over the three finest of one solver's runs whose errors are small and above round-off.
+     *
+     * @param runs runs with ever shorter steps, or ever tighter tolerances
+     * @return the exponent of the error as a power of deltaT, or with tolerances of the evaluations, with the sign
+     *         changed; NaN if there are no three such runs on a straight line
+     */
+    static double slope(List<Run> runs) {
+        WorkProblem problem = runs.get(0).problem;
+        SolverChoice solver = runs.get(0).solver;
+        boolean bySteps = isBySteps(problem, solver);
+        double shortest = solver.implicit() ? problem.stiffDeltaT() : 0;
+        List<Run> usable = runs.stream().filter(run -> run.error < SMALL && run.error > problem.floor()
+                && run.deltaT >= shortest).toList();
+        if (usable.size() < FittedLine.FEWEST) {
+            return Double.NaN;
         }
+        List<Run> finest = usable.subList(usable.size() - FittedLine.FEWEST, usable.size());
+        double[] x = finest.stream().mapToDouble(run -> Math.log(bySteps ? run.deltaT : 1.0 / run.evaluations))
+                .toArray();
+        double[] y = finest.stream().mapToDouble(run -> Math.log(run.error)).toArray();
+        double bend = (y[2] - y[1]) / (x[2] - x[1]) - (y[1] - y[0]) / (x[1] - x[0]);
+        return Math.abs(bend) <= (bySteps ? STRAIGHT : ROUGHLY_STRAIGHT) ? FittedLine.of(x, y).slope() : Double.NaN;
+    }
+
+    /**
+     * @param runs the runs of all solvers on one problem
+     * @return error against evaluations, with the slopes at the curves
+     */
+    public static Panel byEvaluations(List<Run> runs) {
+        return panel(runs, Axis.log("evaluations of the derivative", ""), Run::evaluations, WorkPrecision::slopes);
+    }
+
+    /**
+     * @param runs the runs of all solvers on one problem
+     * @return error against CPU time
+     */
+    public static Panel byTime(List<Run> runs) {
+        return panel(runs, Axis.log("CPU time, fastest round", "s"), Run::seconds, some -> "");
+    }
+
+    private static Panel panel(List<Run> runs, Axis work, ToDoubleFunction<Run> place,
+            Function<List<Run>, String> end) {
+        WorkProblem problem = runs.get(0).problem;
+        return Panel.of(problem.title() + ": error against " + work.quantity(),
+                RunCharts.of(runs, Run::solver, work, place).charts(problem.errorAxis(), Run::error, end));
+    }
+
+    /** The slope of a solver, and in brackets the theoretical one. */
+    static String slopes(List<Run> runs) {
+        double slope = slope(runs);
+        double theory = theory(runs.get(0).problem, runs.get(0).solver);
+        return Double.isNaN(slope) ? "no slope" : Digits.format("%.2f", slope)
+                + (Double.isNaN(theory) ? "" : Digits.format(" (%.0f)", theory));
+    }
+
+    /**
+     * @param runs the runs of all solvers on all problems
+     * @return the slope of each solver on each problem, and the theoretical one
+     */
+    public static DataTable slopeTable(List<Run> runs) {
+        return DataTable.of("slopes",
+                "Slopes beside theory, each over the three finest runs above round-off, if they are on a straight line",
+                List.copyOf(runs.stream().collect(Collectors.groupingBy(run -> List.of(run.problem, run.solver),
+                        LinkedHashMap::new, Collectors.toList())).values()),
+                column("problem", curve -> curve.get(0).problem.name()),
+                column("solver", curve -> curve.get(0).solver.label()), column("slope", 3, WorkPrecision::slope),
+                column("theory", curve -> theory(curve.get(0).problem, curve.get(0).solver)),
+                column("runs", List::size),
+                column("failed", curve -> curve.stream().filter(run -> !run.failure.isEmpty()).count()));
+    }
+
+    /**
+     * @param runs the runs of all solvers on all problems
+     * @return a row for each
+     */
+    public static DataTable table(List<Run> runs) {
+        return DataTable.of("runs", "Every run; the CPU time is that of the fastest of " + ROUNDS + " rounds", runs,
+                column("problem", run -> run.problem.name()), column("solver", run -> run.solver.label()),
+                column("deltaT (s)", Run::deltaT), column("tolerance", 2, Run::tolerance),
+                column("evaluations", Run::evaluations), column("error", 3, Run::error),
+                column("CPU time (s)", 2, Run::seconds), column("what went wrong", Run::failure));
     }
 }

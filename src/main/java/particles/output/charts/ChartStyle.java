@@ -56,9 +56,6 @@ public final class ChartStyle {
     /** The mark of a failure: a diagonal cross, larger than any mark of a result. */
     public static final Shape FAILURE = ShapeUtils.createDiagonalCross(3.9f, 1.3f);
 
-    /** The mark of a run that was given up, hollow. */
-    static final Shape GIVEN_UP = disc(3.6);
-
     private ChartStyle() {
     }
 

@@ -123,7 +123,7 @@ final class Charts {
             for (int k = 0; k < data.getSeriesCount(); k++) {
                 Series series = data.series(k);
                 boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.FILL;    // the axis names it
-                if (!plot.ends.labelled.contains(k) && !series.mark().isDetail() && !onlyOne && series.x().length > 0
+                if (!plot.ends.labelled.contains(k) && !onlyOne && series.x().length > 0
                         && named.add(List.of(series.name(), series.mark().isCurve()))) {
                     items.add(plot.getRenderer().getLegendItem(0, k));
                 }

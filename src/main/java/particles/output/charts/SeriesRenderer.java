@@ -34,18 +34,16 @@ final class SeriesRenderer {
             Series one = series.get(k);
             Mark mark = one.mark();
             boolean dense = path && mark == Mark.LINE && (Series.isDense(one.x()) || Series.isDense(one.y()));
-            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS || mark == Mark.GIVEN_UP;
-            boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
+            boolean open = mark == Mark.OPEN_POINTS;
+            boolean failed = mark == Mark.FAILURES;
             Color colour = format.on(new Color((failed ? Look.FAILURE : looks.get(k)).rgb()));
             Color ground = format.on(Color.WHITE);
             int variant = looks.get(k).variant();
-            renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.BARS || mark == Mark.FILL);
-            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && !mark.isWide());
+            renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.FILL);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && !mark.isWide());
             renderer.setSeriesPaint(k, dense || mark.isWide() ? ChartStyle.pale(colour) : colour);
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
-                    : mark.isWide() ? ChartStyle.BAND : ChartStyle.stroke(variant));
-            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
-                    : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : ChartStyle.shape(variant));
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark.isWide() ? ChartStyle.BAND : ChartStyle.stroke(variant));
+            renderer.setSeriesShape(k, failed ? ChartStyle.FAILURE : ChartStyle.shape(variant));
             renderer.setSeriesFillPaint(k, open ? ground : colour);
             renderer.setSeriesOutlinePaint(k, open ? colour : ground);
             renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : ChartStyle.THIN);

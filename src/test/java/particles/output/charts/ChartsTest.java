@@ -141,12 +141,10 @@ class ChartsTest {
     /** Runs without a result stand in rows below, named, from above in the order given; the legend has their mark. */
     @Test
     void rowsAreNamedAndFailuresAreInTheLegend() {
-        Series hollow = new Series(look("rk4"), "rk4", Mark.LINE_AND_OPEN_POINTS, new double[] {1, 10},
-                new double[] {1, 2});
-        Series filled = new Series(look("rk4"), "rk4", Mark.FITTED_POINTS, new double[] {10}, new double[] {2});
+        Series line = new Series(look("rk4"), "rk4", Mark.LINE_AND_POINTS, new double[] {1, 10}, new double[] {1, 2});
         Chart below = new Chart(Axis.log("x", "m"), Axis.linear("no result", ""), List.of(Series.point(look("rk4"),
-                "did not converge", Mark.GIVEN_UP, 1000, 1))).inRows(List.of("euler", "rk4"));
-        JFreeChart chart = drawn(chart(true, hollow, filled), below);
+                "did not converge", Mark.FAILURES, 1000, 1))).inRows(List.of("euler", "rk4"));
+        JFreeChart chart = drawn(chart(true, line), below);
         CombinedDomainXYPlot plot = assertInstanceOf(CombinedDomainXYPlot.class, chart.getPlot());
         SymbolAxis rows = assertInstanceOf(SymbolAxis.class, plot.getSubplots().get(1).getRangeAxis());
         assertEquals(List.of("euler", "rk4"), List.of(rows.getSymbols()));
@@ -156,10 +154,7 @@ class ChartsTest {
                 ChartFormat.PAGE).getSources()[0].getLegendItems();
         assertEquals(1, legend.getItemCount(), "rk4 has its name at its end");
         assertEquals("did not converge", legend.get(0).getLabel());
-        assertEquals(ChartStyle.GIVEN_UP, legend.get(0).getShape());
-        XYPlot above = plot.getSubplots().get(0);
-        assertEquals(Color.WHITE, above.getRenderer().getSeriesFillPaint(0));
-        assertNotEquals(Color.WHITE, above.getRenderer().getSeriesFillPaint(1));
+        assertEquals(ChartStyle.FAILURE, legend.get(0).getShape());
     }
 
     /** Ticks are 1, 2 or 5 times a power of ten apart, and their labels have no round-off. */
@@ -255,18 +250,6 @@ class ChartsTest {
         assertEquals(works.getRenderer().getSeriesPaint(0), works.getRenderer().getSeriesPaint(1));
         assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
         assertEquals(4, Set.of(Look.number(0).rgb(), Look.DRIVEN.rgb(), Look.WORK.rgb(), Look.ERROR.rgb()).size());
-    }
-
-    /** Bars up to medians have no name of their own, and points on top of a line neither. */
-    @Test
-    void onlyLinesAreNamedAtTheirEnds() {
-        Series bars = new Series(Look.OWN, "mine", Mark.BARS, new double[] {1, 2}, new double[] {1, 1});
-        JFreeChart chart = drawn(chart(true, bars, series("mine", 1, 2).ending("2 s")));
-        assertEquals(1, Charts.plots(chart).get(0).ends.labelled.size());
-        assertTrue(Charts.isEmpty(Charts.legend(Charts.plots(chart), ChartFormat.PAGE)));
-        PageRecorder page = new PageRecorder(ChartPage.of(Panel.of("t", List.of(chart(true, bars, series("mine", 1,
-                2).ending("2 s")))), ChartFormat.PAGE));
-        assertEquals(1, page.texts().stream().filter(text -> text.text().equals("mine  2 s")).count());
     }
 
     /** A band is a line as well, an area is not. */
