@@ -147,8 +147,8 @@ final class Trial implements Observer {
     boolean mayJam() {
         List<Reaction> reactions = system.getReactions();
         return reactions.stream().anyMatch(RigidConstraints.class::isInstance) && reactions.stream()
-                .anyMatch(reaction -> reaction instanceof RestingContacts contacts && contacts.getSurfaces().stream()
-                        .anyMatch(surface -> surface.friction().coefficient() > 0))
+                .anyMatch(reaction -> reaction instanceof RestingContacts resting
+                        && resting.getContacts().getSurfaces().stream().anyMatch(surface -> surface.friction().coefficient() > 0))
                 || system.getMovingAnchors().length > 0
                 && reactions.stream().anyMatch(reaction -> reaction.getName().equals("rods and wires"));
     }
@@ -195,7 +195,7 @@ final class Trial implements Observer {
         double most = 0;
         for (Reaction reaction : system.getReactions()) {
             if (reaction instanceof RestingContacts contacts) {
-                for (ContactSurface surface : contacts.getSurfaces()) {
+                for (ContactSurface surface : contacts.getContacts().getSurfaces()) {
                     most = Math.max(most, depth(surface.obstacle()));
                 }
             }

@@ -15,19 +15,27 @@ import particles.reactions.Row.Kind;
  * theory}. The rule {@code particles.rules.Collisions} decides when they begin and end.
  */
 public final class BallContacts {
-    private final Blocks blocks;
+    private final GatherPhase gather;
+    private final EvaluatePhase evaluate;
+    private final SolvePhase solve;
+    private final ApplyPhase apply;
     private final ContactModes modes;
-    private final Rows rows;
+    private final Contacts contacts;
+    private final List<Row> rows;
 
-    BallContacts(Blocks blocks, RestingContacts contacts) {
-        this.blocks = blocks;
+    BallContacts(RestingContacts resting) {
+        gather = resting.gather;
+        evaluate = resting.evaluate;
+        solve = resting.solve;
+        apply = resting.apply;
+        contacts = resting.getContacts();
         modes = contacts.getModes();
-        rows = blocks.getRows();
+        rows = contacts.rows;
     }
 
     /** Adds a contact of two balls, whose centres are this far apart (m); its number is the next one. */
     public void touch(int i, int j, double distance, Bounce bounce) {
-        rows.addLink(Kind.BALLS, i, j, distance).bounce = bounce;
+        contacts.addLink(Kind.BALLS, i, j, distance).bounce = bounce;
     }
 
     /** @return the first ball of a contact */
@@ -47,12 +55,12 @@ public final class BallContacts {
 
     /** Lets contacts end again. */
     public void unlatch() {
-        rows.list.forEach(row -> row.latched = false);
+        rows.forEach(row -> row.latched = false);
     }
 
     /** Forgets which contacts had a bounce. */
     public void forgetBounces() {
-        rows.list.forEach(row -> row.bounced = false);
+        rows.forEach(row -> row.bounced = false);
     }
 
     /** @return whether a contact had a bounce in the last impact */
@@ -62,17 +70,17 @@ public final class BallContacts {
 
     /** Ends the contact with this number. */
     public void part(int contact) {
-        rows.remove(contact);
+        contacts.removeRow(contact);
     }
 
     /** @return the number of the first contact; later ones change theirs when one ends */
     public int begin() {
-        return rows.begin(Kind.BALLS);
+        return contacts.begin(Kind.BALLS);
     }
 
     /** @return one more than the number of the last contact */
     public int end() {
-        return rows.begin(Kind.WIRE);
+        return contacts.begin(Kind.WIRE);
     }
 
     /** @return whether any balls touch */
@@ -92,7 +100,7 @@ public final class BallContacts {
 
     /** Moves balls in contact, and all that is connected to them, by the small error of a step. */
     public void putTogether(double[] state) {
-        forEach(block -> blocks.correct(block, state, 0, false, Block.ALL));
+        forEach(block -> apply.correct(block, state, 0, false, true));
         stop(state, false);
     }
 
@@ -102,13 +110,13 @@ public final class BallContacts {
      * @param mayPart whether balls may separate; if not, they stop too
      */
     public void stop(double[] state, boolean mayPart) {
-        forEach(block -> blocks.correct(block, state, 3, mayPart, Block.ALL));
+        forEach(block -> apply.correct(block, state, 3, mayPart, true));
     }
 
     /** Calls something for each block in which balls touch. */
     private void forEach(Consumer<Block> action) {
         if (hasContacts()) {
-            blocks.joined().stream().filter(Block::hasPairs).forEach(action);
+            gather.joined().stream().filter(block -> block.hasPairs).forEach(action);
         }
     }
 
@@ -119,12 +127,12 @@ public final class BallContacts {
      */
     public double leastPush(double[] state, double time, double[] force) {
         double[] least = {Double.POSITIVE_INFINITY};
-        blocks.prepare(state, time);
+        evaluate.prepare(state, time);
         forEach(block -> {
-            blocks.solve(block, state, time, force);
+            solve.solveForces(block, state, time, force);
             for (Row row : block.rows) {
                 if (row.kind == Kind.BALLS && !rows.get(row.number).latched) {
-                    least[0] = Math.min(least[0], blocks.push(block, row, force));
+                    least[0] = Math.min(least[0], solve.push(block, row, force));
                 }
             }
         });
@@ -139,11 +147,11 @@ public final class BallContacts {
      */
     public List<List<Integer>> partWhereFree(double[] state, double time, double[] force, double most) {
         BitSet ending = new BitSet();
-        blocks.prepare(state, time);
+        evaluate.prepare(state, time);
         forEach(block -> {
-            blocks.solve(block, state, time, force);
+            solve.solveForces(block, state, time, force);
             for (Row row : block.rows) {
-                double push = row.isContact() ? blocks.push(block, row, force) : 0;
+                double push = row.isContact() ? solve.push(block, row, force) : 0;
                 if (row.kind == Kind.BALLS) {
                     ending.set(row.number, push <= Math.max(most, -Double.MIN_VALUE) && !rows.get(row.number).latched);
                 } else if (push < 0) {

@@ -1,8 +1,8 @@
 package particles.reactions;
 
-import deSolvers.linear.EnvelopeMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,9 +29,14 @@ public final class BlockImpacts {
     /** The largest number of iterations for friction; one is enough for particles with one contact each. */
     private static final int MOST_ITERATIONS = 200;
 
-    private final RestingContacts contacts;
+    private static final BitSet NOBODY = new BitSet();
+
+    private final Contacts contacts;
     private final ContactModes modes;
-    private final Blocks blocks;
+    private final GatherPhase gather;
+    private final EvaluatePhase evaluate;
+    private final SolvePhase solve;
+    private final ApplyPhase apply;
 
     /**
      * A particle that meets a surface.
@@ -44,10 +49,13 @@ public final class BlockImpacts {
     public record Meeting(int surface, int particle, double leaving, Vector3 pull) {
     }
 
-    BlockImpacts(RestingContacts contacts, Blocks blocks) {
+    BlockImpacts(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve, ApplyPhase apply) {
         this.contacts = contacts;
-        this.modes = contacts.getModes();
-        this.blocks = blocks;
+        modes = contacts.getModes();
+        this.gather = gather;
+        this.evaluate = evaluate;
+        this.solve = solve;
+        this.apply = apply;
     }
 
     /**
@@ -61,17 +69,17 @@ public final class BlockImpacts {
      * @return true for every particle that is not coupled
      */
     public boolean canPush(int surface, int particle, double[] state) {
-        Block block = blocks.of(particle);
+        Block block = gather.of(particle);
         if (!block.isJoined()) {
             return true;
         }
-        block.takeForImpact(List.of(new Meeting(surface, particle, 0, Vector3.ZERO)), state);
-        block.keep(Arrays.stream(block.rows).filter(row -> row.kind != Kind.BALLS));
+        gather(block, List.of(new Meeting(surface, particle, 0, Vector3.ZERO)), false);
+        evaluate.evaluate(block, state);
         Row struck = Row.find(block.rows, Kind.SURFACE, surface, particle).orElseThrow();
         for (Row row : block.rows) {
             row.right = row == struck ? 1 : 0;
         }
-        return block.solve(row -> row != struck, true) && Math.abs(struck.separation) < Tolerances.NO_SOLUTION;
+        return solve.solve(block, row -> row != struck, true) && Math.abs(struck.separation) < Tolerances.NO_SOLUTION;
     }
 
     /**
@@ -83,14 +91,16 @@ public final class BlockImpacts {
      */
     public void answer(List<Meeting> meetings, double[] state) {
         Map<Block, List<Meeting>> concerned = new LinkedHashMap<>();
-        blocks.joined().stream().filter(Block::hasPairs).forEach(block -> concerned.put(block, new ArrayList<>()));
-        meetings.forEach(meeting -> concerned.computeIfAbsent(blocks.of(meeting.particle), block -> new ArrayList<>())
+        gather.joined().stream().filter(block -> block.hasPairs)
+                .forEach(block -> concerned.put(block, new ArrayList<>()));
+        meetings.forEach(meeting -> concerned.computeIfAbsent(gather.of(meeting.particle), block -> new ArrayList<>())
                 .add(meeting));
         concerned.forEach((block, some) -> answer(block, some, state));
     }
 
     private void answer(Block block, List<Meeting> meetings, double[] state) {
-        block.takeForImpact(meetings, state);
+        gather(block, meetings, true);
+        evaluate.evaluate(block, state);
         double fast = 0;
         for (int i : block.particles) {
             fast = Math.max(fast, Vector3.at(state, STRIDE * i + 3).norm1());
@@ -109,14 +119,14 @@ public final class BlockImpacts {
                 row.right = row.isIdle() ? 0 : leaving - row.rate;
                 row.stops = row.meets && leaving == 0;
                 if (row.kind == Kind.BALLS && leaving > 0) {
-                    blocks.getRows().get(row.number).bounced = true;
+                    contacts.rows.get(row.number).bounced = true;
                 }
             }
-            block.keep(Arrays.stream(all).filter(row -> !row.isContact() || row.meets || touches(row)));
+            gather.keep(block, Arrays.stream(all).filter(row -> !row.isContact() || row.meets || touches(row)));
             strike(block, fast, state);
             rub(block, fast, state);
-            block.keep(Arrays.stream(all));
-            block.evaluate(state);
+            gather.keep(block, Arrays.stream(all));
+            evaluate.evaluate(block, state);
         }
         for (Row row : block.rows) {
             if (touches(row) && row.rate > Math.max(Tolerances.ROUNDING * fast, Math.max(row.bounce.restSpeed(),
@@ -126,40 +136,28 @@ public final class BlockImpacts {
         }
     }
 
+    private void gather(Block block, List<Meeting> meetings, boolean balls) {
+        gather.gather(block, NOBODY, balls, (surface, i) -> modes.get(surface, i) != Mode.FREE
+                || meetings.stream().anyMatch(meeting -> meeting.surface == surface && meeting.particle == i));
+    }
+
     /**
      * Moves a particle out of surfaces that it is below, by the shortest way.
      *
-     * @param under the surfaces
+     * @param under the surfaces' indices
      * @param state the state, in which its position is changed
      */
-    public void lift(int particle, List<ContactSurface> under, double[] state) {
-        int n = under.size();
-        double[] depths = new double[n];
-        double[] moves = new double[n];
-        boolean[] all = new boolean[n];
-        Arrays.fill(all, true);
-        for (int k = 0; k < MOST_ITERATIONS && (k == 0 && n > 0 || n > 1 && isBelow(particle, under, state)); k++) {
-            EnvelopeMatrix products = new EnvelopeMatrix();
-            Vector3[] normals = under.stream().map(surface -> surface.normal(state, particle)).toArray(Vector3[]::new);
-            for (int r = 0; r < n; r++) {
-                products.add(0);
-                for (int c = 0; c <= r; c++) {
-                    double product = r == c ? 1 : normals[r].dot(normals[c]);
-                    products.set(r, c, product, product);
-                }
-                depths[r] = -under.get(r).distance(state, particle);
-            }
-            new ActiveSetMethod().solve(products, depths, all, true, all.clone(), moves, new double[n]);
-            for (int r = 0; r < n; r++) {
-                int x = STRIDE * particle;
-                Vector3.at(state, x).plus(normals[r].times(moves[r])).put(state, x);
-            }
+    public void lift(int particle, BitSet under, double[] state) {
+        Block block = gather.alone(particle);
+        gather.gather(block, NOBODY, false, (surface, i) -> under.get(surface));
+        for (int k = 0; k < MOST_ITERATIONS && (k == 0 || block.rows.length > 1 && isBelow(block, state)); k++) {
+            apply.correct(block, state, 0, true);
         }
     }
 
-    private static boolean isBelow(int particle, List<ContactSurface> under, double[] state) {
-        double near = Tolerances.ROUNDING * (1 + Vector3.at(state, STRIDE * particle).norm1());
-        return under.stream().anyMatch(surface -> surface.distance(state, particle) < -near);
+    private static boolean isBelow(Block block, double[] state) {
+        double near = Tolerances.ROUNDING * (1 + Vector3.at(state, STRIDE * block.particles[0]).norm1());
+        return Arrays.stream(block.rows).anyMatch(row -> row.surface.distance(state, row.first) < -near);
     }
 
     /**
@@ -201,17 +199,17 @@ public final class BlockImpacts {
 
     /** Solves for the impulses. */
     private void strike(Block block, double fast, double[] state) {
-        boolean solved = block.solve(row -> true, true);
+        boolean solved = solve.solve(block, row -> true, true);
         for (Row row : block.rows) {
             solved &= row.isContact() || Math.abs(row.separation) <= Tolerances.NO_SOLUTION * fast;
         }
         double approach = Arrays.stream(block.rows).filter(row -> row.meets).mapToDouble(row -> -row.rate).max()
                 .orElse(0);
         if (!solved && approach > Tolerances.NO_SOLUTION * fast) {
-            throw ConstraintCorrection.areUneven(block)
-                    ? block.failure(contacts.getSystem().getTime(), ConstraintCorrection.LOST) : noRoom(block);
+            throw SolvePhase.reason(block).map(why -> solve.failure(block, contacts.system.getTime(), why))
+                    .orElseGet(() -> noRoom(block));
         }
-        block.move(state, 3);
+        apply.move(block, state, 3);
         for (Row row : block.rows) {
             if (row.force != 0) {                       // an impact on one ball leaves the rest of a pile at rest
                 modes.setWhereTouching(row.first, Mode.SLIDING);
@@ -228,7 +226,7 @@ public final class BlockImpacts {
         List<String> by = Arrays.stream(block.rows).filter(row -> row.moves(i)).map(row -> nameBeside(row, i))
                 .distinct().toList();
         String last = by.get(by.size() - 1);
-        return new SimulationException(contacts.getSystem().getTime(), i, "there is no room left "
+        return new SimulationException(contacts.system.getTime(), i, "there is no room left "
                 + (by.size() == 1 ? "at " : "between " + String.join(", ", by.subList(0, by.size() - 1)) + " and ")
                 + last, null);
     }
@@ -239,7 +237,7 @@ public final class BlockImpacts {
             return "'" + row.surface.name() + "'";
         }
         String other = row.kind == Kind.WIRE ? ""
-                : "'" + contacts.getSystem().getParticles().id(row.first + row.second - i) + "'";
+                : "'" + contacts.particles.id(row.first + row.second - i) + "'";
         return row.kind == Kind.BALLS ? other : row.kind == Kind.ROD ? "its rod to " + other : "its wire";
     }
 
@@ -260,7 +258,7 @@ public final class BlockImpacts {
         Skin[] skins = new Skin[rows.length];
         for (int r = 0; r < rows.length; r++) {
             skins[r] = rows[r].kind == Kind.SURFACE
-                    ? contacts.getSliding().skin(rows[r].first, state, Vector3.at(rows[r].gradient, 0)) : Skin.SMOOTH;
+                    ? evaluate.sliding.skin(rows[r].first, state, Vector3.at(rows[r].gradient, 0)) : Skin.SMOOTH;
             for (int k = 0; k < 2; k++) {
                 int i = rows[r].movable[k];
                 slowness[r] += i < 0 ? 0 : block.weight(i) * Arrays.stream(rows).filter(row -> row.moves(i)).count();
@@ -289,8 +287,7 @@ public final class BlockImpacts {
             }
         }
         if (block.isJoined()) {
-            block.evaluate(state);
-            blocks.correctTaken(block, state, 3, true);
+            apply.correct(block, state, 3, true);
         }
     }
 }

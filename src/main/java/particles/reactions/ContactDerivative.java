@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Particles;
-import particles.law.Scales;
 import particles.law.Scales.Skin;
+import particles.law.Scales;
 import particles.law.Vector3;
-import particles.reactions.Friction.Law;
+import particles.reactions.ContactSurface.Friction.Law;
+import particles.reactions.ContactSurface.Friction;
+import particles.reactions.NormalForces.Push;
 
 /**
  * The derivative of the total force on a particle that slides on one surface or several, F + sum lambda N + friction,
@@ -21,7 +23,7 @@ import particles.reactions.Friction.Law;
  * single contacts cross the kink at which a contact ends.
  */
 final class ContactDerivative {
-    private final SlidingFriction sliding;
+    private final Contacts contacts;
     private final int i;
     private final double mass;
     private final double[] state;
@@ -36,13 +38,9 @@ final class ContactDerivative {
     private final Vector3[] turns;                      // dN
     private Vector3 longer;                             // the change of the body's axis
 
-    /** A surface's normal force (N), negative if it pulls. */
-    record Push(ContactSurface surface, Vector3 normal, double size) {
-    }
-
     /** @param force on the particle, of all effects (N) */
-    ContactDerivative(SlidingFriction sliding, int i, double mass, double[] state, Vector3 force, Push... pushes) {
-        this.sliding = sliding;
+    ContactDerivative(Contacts contacts, int i, double mass, double[] state, Vector3 force, Push... pushes) {
+        this.contacts = contacts;
         this.i = i;
         this.mass = mass;
         this.state = state;
@@ -53,11 +51,11 @@ final class ContactDerivative {
         turns = new Vector3[pushes.length];
         Vector3 sum = force;
         for (int r = 0; r < pushes.length; r++) {
-            sum = sum.plus(pushes[r].normal.times(pushes[r].size));
+            sum = sum.plus(pushes[r].normal().times(pushes[r].size()));
             duals[r] = dual(r);
         }
         total = sum;
-        Optional<Scales> scales = sliding.scalesOf(i);
+        Optional<Scales> scales = contacts.scalesOf(i);
         body = scales.map(s -> s.axis(state)).orElse(Vector3.ZERO);
         axis = along(body);
         skin = scales.map(s -> s.skin(body.length(), axis)).orElse(Skin.SMOOTH);
@@ -67,12 +65,12 @@ final class ContactDerivative {
     private Vector3 dual(int r) {
         List<Vector3> axes = new ArrayList<>();         // orthonormal, of the other normals
         for (int s = 0; s < pushes.length; s++) {
-            Vector3 rest = across(axes, pushes[s].normal);
+            Vector3 rest = across(axes, pushes[s].normal());
             if (s != r && rest.length() > Tolerances.PARALLEL) {
                 axes.add(rest.normalized());
             }
         }
-        Vector3 rest = across(axes, pushes[r].normal);
+        Vector3 rest = across(axes, pushes[r].normal());
         return rest.length() > Tolerances.PARALLEL ? rest.over(rest.dot(rest)) : Vector3.ZERO;
     }
 
@@ -87,7 +85,7 @@ final class ContactDerivative {
     private Vector3 along(Vector3 u) {
         Vector3 rest = u;
         for (int r = 0; r < duals.length; r++) {
-            rest = rest.minus(pushes[r].normal.times(duals[r].dot(u)));
+            rest = rest.minus(pushes[r].normal().times(duals[r].dot(u)));
         }
         return rest;
     }
@@ -109,13 +107,13 @@ final class ContactDerivative {
         longer = dBody;
         Vector3 changed = dForce;
         for (int r = 0; r < pushes.length; r++) {
-            Vector3 normal = pushes[r].normal;
+            Vector3 normal = pushes[r].normal();
             turns[r] = dPlace.minus(normal.times(normal.dot(dPlace))).times(curvature(r));
-            changed = changed.plus(turns[r].times(pushes[r].size));
+            changed = changed.plus(turns[r].times(pushes[r].size()));
         }
         double[] right = new double[pushes.length];
         for (int r = 0; r < pushes.length; r++) {
-            Vector3 normal = pushes[r].normal;
+            Vector3 normal = pushes[r].normal();
             double into = normal.dot(velocity);
             double bend = curvature(r) * 2 * (velocity.dot(dVelocity)
                     - into * (turns[r].dot(velocity) + normal.dot(dVelocity)))
@@ -132,11 +130,11 @@ final class ContactDerivative {
             for (int s = 0; s < pushes.length; s++) {
                 dPush += duals[r].dot(duals[s]) * right[s];
             }
-            changed = changed.plus(pushes[r].normal.times(dPush));
-            Friction friction = pushes[r].surface.friction();
-            slide += friction.law() == Law.SLIDE ? friction.coefficient() * pushes[r].size : 0;
+            changed = changed.plus(pushes[r].normal().times(dPush));
+            Friction friction = pushes[r].surface().friction();
+            slide += friction.law() == Law.SLIDE ? friction.coefficient() * pushes[r].size() : 0;
             dSlide += friction.law() == Law.SLIDE ? friction.coefficient() * dPush : 0;
-            most += friction.law() == Law.COULOMB ? friction.coefficient() * pushes[r].size : 0;
+            most += friction.law() == Law.COULOMB ? friction.coefficient() * pushes[r].size() : 0;
             dMost += friction.law() == Law.COULOMB ? friction.coefficient() * dPush : 0;
             isRough |= friction.law() != Law.NONE;
         }
@@ -153,16 +151,16 @@ final class ContactDerivative {
     }
 
     private double curvature(int r) {
-        return pushes[r].surface.obstacle().curvature(state, Particles.STRIDE * i);
+        return pushes[r].surface().obstacle().curvature(state, Particles.STRIDE * i);
     }
 
     /** The change of what Coulomb's friction takes off the force. */
     private Vector3 coulomb(Vector3 u, Vector3 du, double most, double dMost, Vector3 dForce) {
-        Vector3 begin = sliding.beginning(i);
+        Vector3 begin = contacts.beginning(i);
         Vector3 b = along(begin);
         Vector3 db = along(begin, Vector3.ZERO);
-        boolean stops = sliding.mayStop(i);
-        if (!stops && !sliding.startsFromRest(i)) {
+        boolean stops = contacts.mayStop(i);
+        if (!stops && !contacts.startsFromRest(i)) {
             Vector3 v = u;
             Vector3 dv = du;
             double square = b.dot(b);
@@ -188,8 +186,8 @@ final class ContactDerivative {
         if (most < 0) {
             return Vector3.ZERO;                        // a contact that a rule is about to end
         }
-        Vector3 needed = along(force).plus(b.times(sliding.stoppingRate(i)));
-        Vector3 dNeeded = along(force, dForce).plus(db.times(sliding.stoppingRate(i)));
+        Vector3 needed = along(force).plus(b.times(contacts.stoppingRate(i)));
+        Vector3 dNeeded = along(force, dForce).plus(db.times(contacts.stoppingRate(i)));
         Stretch s = new Stretch(needed);
         Vector3 z = s.inverse(needed, 1);
         return z.length() <= most ? dNeeded : s.balance(needed, dNeeded, most, dMost);

@@ -3,10 +3,8 @@ package particles.reactions;
 import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
-import java.util.function.Supplier;
-import java.util.function.ToDoubleFunction;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Reaction;
@@ -14,6 +12,8 @@ import particles.law.Scales;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface.Friction;
+import particles.reactions.NormalForces.Push;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;
@@ -25,94 +25,56 @@ import particles.reactions.ContactModes.Mode;
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step: {@code
  * particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
  * motion. So the force is a smooth function of the state while a solver works.
+ *
+ * <p>The forces on particles that are not coupled are added in one loop over arrays. On one surface the slides' closed
+ * form needs no system of equations: a cloth of 900 particles draped over a ball has hundreds of such contacts, each of
+ * which should cost about as much as a spring, some nanoseconds. Particles on several surfaces are {@link Block}s.
  */
 public final class RestingContacts implements Reaction {
-    private static final int STRIDE = Particles.STRIDE;
     private static final int MOST_ITERATIONS = 100;
 
-    private final ParticleSystem system;
-    private final Particles particles;
-    private final List<ContactSurface> surfaces;
+    /** In place of a surface: the particle sticks, so that the total force on it is 0. */
+    private static final int STICKS = -1;
+    /** In place of a surface: the particle slides on several. */
+    private static final int SEVERAL = -2;
+    private static final double[] NONE = new double[9];
+
+    private final Contacts contacts;
     private final ContactModes modes;
-    private final SlidingFriction sliding = new SlidingFriction();
-    private Blocks blocks;
-    private BlockImpacts impacts;
-    private ContactQueries queries;
-    private boolean holding;
+    private final Particles particles;
+    final GatherPhase gather;
+    final EvaluatePhase evaluate;
+    final SolvePhase solve;
+    final ApplyPhase apply;
+    private final NormalForces normal;
+    private final BlockImpacts impacts;
+    private final ContactQueries queries;
+    private int[] touching = {};
+    private int[] surface = {};                         // that each of these particles slides on
+    private int count;
+    private int gatheredAt = -1;                        // the modes' and the rows' counts of changes
+    private double[] total = {};
 
     /**
      * @param system   the system of the particles
      * @param surfaces the surfaces
      */
     public RestingContacts(ParticleSystem system, List<ContactSurface> surfaces) {
-        this.system = system;
-        this.particles = system.getParticles();
-        this.surfaces = List.copyOf(surfaces);
-        modes = new ContactModes(particles, surfaces.size());
-        join(new Rows(), 0);
+        contacts = new Contacts(system, surfaces);
+        modes = contacts.getModes();
+        particles = contacts.particles;
+        gather = new GatherPhase(contacts);
+        evaluate = new EvaluatePhase(contacts);
+        solve = new SolvePhase(contacts, gather, evaluate);
+        apply = new ApplyPhase(contacts, gather, evaluate, solve);
+        normal = new NormalForces(contacts, gather, evaluate, solve);
+        impacts = new BlockImpacts(contacts, gather, evaluate, solve, apply);
+        queries = new ContactQueries(contacts, gather, evaluate, solve, normal);
     }
 
-    /** @return the system of the particles */
-    public ParticleSystem getSystem() {
-        return system;
-    }
-
-    /** @return the surfaces, in the order of their indices in {@link #getModes} */
-    public List<ContactSurface> getSurfaces() {
-        return surfaces;
-    }
-
-    /** @return the contact mode of each particle at each surface, which rules change */
-    public ContactModes getModes() {
-        return modes;
-    }
-
-    /** @param scales by particle; null for those that have none */
-    public void setScales(Scales... scales) {
-        sliding.setScales(scales);
-    }
-
-    /**
-     * Records the state at the beginning of a step. Coulomb friction would flip when sliding reverses; within a step it
-     * is continued smoothly as if it had not, and the end of the step shows whether it did.
-     */
-    public void beginStep() {
-        sliding.beginStep(system);
-    }
-
-    /**
-     * Sets whether contact lasts until a rule ends it. Otherwise the normal force is 0 wherever N . F is positive, as
-     * on the slide; then the force has a kink there, and a step across it loses its order.
-     *
-     * @param holding true if a rule locates the exact time of release
-     */
-    public void setHolding(boolean holding) {
-        this.holding = holding;
-    }
-
-    /** @return whether contact lasts until a rule ends it */
-    public boolean isHolding() {
-        return holding;
-    }
-
-    SlidingFriction getSliding() {
-        return sliding;
-    }
-
-    /** Solves rows of rods, wires and balls together with these contacts. */
-    Blocks join(Rows rows, double feedback) {
-        blocks = new Blocks(system, rows, feedback, this, modes::isSticking);
-        impacts = new BlockImpacts(this, blocks);
-        queries = new ContactQueries(this, blocks);
-        return blocks;
-    }
-
-    /**
-     * @param particle its index
-     * @return whether it is coupled to others, which then feel an impulse on it
-     */
-    public boolean isCoupled(int particle) {
-        return blocks.isCoupled(particle);
+    /** @return who touches what, and how */
+    public Contacts getContacts() {
+        return contacts;
     }
 
     /** @return the impacts of these contacts */
@@ -126,6 +88,14 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
+     * @param particle its index
+     * @return whether it is coupled to others, which then feel an impulse on it
+     */
+    public boolean isCoupled(int particle) {
+        return gather.isCoupled(particle);
+    }
+
+    /**
      * Corrects the velocities of a particle or its linkage after one of them was changed: no rod is stretched, no
      * touched surface is entered or left, and sticking particles stay.
      *
@@ -134,116 +104,12 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which velocities are changed
      */
     public void settle(int particle, boolean balls, double[] state) {
-        blocks.correct(blocks.of(particle), state, 3, false, balls ? Block.ALL : Block.NONE);
+        apply.correct(gather.of(particle), state, 3, false, balls);
     }
 
     /** Projects the positions and velocities of all linkages onto their rods, wires and touched surfaces. */
     public void putBack() {
-        new ConstraintCorrection(blocks).project(system.getOwnState(), system.getTime());
-    }
-
-    /**
-     * @param particle its index
-     * @param state    the state
-     * @return whether the particle is slow enough for static friction: it touches a rough surface and is slower than
-     *         its threshold or round-off
-     */
-    public boolean isSlow(int particle, double[] state) {
-        double limit = largest(particle,
-                f -> f.staticCoefficient() > 0 ? Math.max(Tolerances.STANDSTILL, f.threshold()) : 0);
-        Vector3 velocity = Vector3.at(state, STRIDE * particle + 3);
-        return limit > 0 && velocity.dot(velocity) <= limit * limit;
-    }
-
-    /** The largest value for the friction of the surfaces that a particle touches; 0 if there is none. */
-    private double largest(int particle, ToDoubleFunction<Friction> value) {
-        double largest = 0;
-        for (int p = 0; p < surfaces.size(); p++) {
-            largest = modes.get(p, particle) == Mode.FREE ? largest
-                    : Math.max(largest, value.applyAsDouble(surfaces.get(p).friction()));
-        }
-        return largest;
-    }
-
-    /** @return whether friction on a particle flips when it reverses, or may hold it */
-    public boolean rubs(int particle) {
-        return largest(particle, f -> Math.max(f.ofCoulomb(1), f.staticCoefficient())) > 0;
-    }
-
-    /** @return the largest threshold of the friction that acts on a particle (m/s), below which it may stick */
-    public double threshold(int particle) {
-        return largest(particle, Friction::threshold);
-    }
-
-    /**
-     * Whether Coulomb friction may turn so sharply within a time that a solver fails in one step: near a stop its
-     * direction turns as fast as the velocity's, however slow that is.
-     *
-     * @param time the length of time from now (s)
-     * @return whether the forces could stop any sliding particle within that time
-     */
-    public boolean mayStopWithin(double time) {
-        double[] force = new double[system.getStateSize()];
-        system.addUpEffects(system.getOwnState(), system.getTime(), force);
-        return !findStopping(time, () -> force).isEmpty();
-    }
-
-    /**
-     * Finds the sliding particles that the forces could stop; a loop, since each step asks.
-     *
-     * @param time   the length of time from now (s)
-     * @param forces the total force of all effects (N), evaluated only if a particle slides with Coulomb friction
-     * @return the particles
-     */
-    public BitSet findStopping(double time, Supplier<double[]> forces) {
-        BitSet stopping = new BitSet();
-        double[] state = system.getOwnState();
-        for (int i = 0; i < modes.end(); i++) {
-            double rubbing = modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
-            if (rubbing > 0) {
-                double speed = Vector3.at(state, STRIDE * i + 3).length();
-                double pull = Vector3.at(forces.get(), STRIDE * i + 3).length() / particles.mass(i);
-                stopping.set(i, speed <= Tolerances.STOPS * time * (1 + rubbing * sliding.sharpness(i)) * pull);
-            }
-        }
-        return stopping;
-    }
-
-    /**
-     * @param particle its index
-     * @param velocity its velocity at the end of the step (m/s)
-     * @return whether it has reversed within the step, is slower than the threshold of a surface, or as good as stopped
-     *         where friction was to stop it
-     */
-    public boolean hasStopped(int particle, Vector3 velocity) {
-        Vector3 before = Vector3.at(sliding.getStepBegin(), STRIDE * particle + 3);
-        double slow = sliding.mayStop(particle) ? Tolerances.ALMOST_STOPPED * before.length() : 0;
-        return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
-    }
-
-    /**
-     * Lets Coulomb friction act on a particle as an impulse over the step that begins: as a constant force that brings
-     * it to rest after a time, as far as the friction cone allows. Near a stop the direction of exact friction turns as
-     * fast as that of the velocity. Implicit solvers then do not converge and adaptive ones make no progress, above all
-     * where springs stop and start a particle again and again.
-     *
-     * @param time from the step's start to the stop (s)
-     */
-    public void stopAfter(int particle, double time) {
-        sliding.stopWithinStep(particle, particles.mass(particle) / time);
-    }
-
-    /**
-     * @param particle its index
-     * @return whether friction acts on it as an impulse in the present step
-     */
-    public boolean mayStop(int particle) {
-        return sliding.mayStop(particle);
-    }
-
-    /** @return the state at the beginning of the step; read only */
-    public double[] getStepBegin() {
-        return sliding.getStepBegin();
+        apply.project(contacts.system.getOwnState(), contacts.system.getTime());
     }
 
     @Override
@@ -258,7 +124,7 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public boolean dependsOnVelocity() {
-        return surfaces.stream().anyMatch(surface -> surface.friction().law() != Friction.Law.NONE);
+        return contacts.getSurfaces().stream().anyMatch(surface -> surface.friction().law() != Friction.Law.NONE);
     }
 
     @Override
@@ -267,23 +133,105 @@ public final class RestingContacts implements Reaction {
     }
 
     @Override
-    public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
-        blocks.getLone().addForceDerivatives(state, time, force, derivatives);
+    public void addForces(double[] state, double time, double[] force) {
+        addAll(state, time, force);
+    }
+
+    private void gatherTouching() {
+        int changes = modes.getChanges() + contacts.getRowChanges();
+        if (gatheredAt == changes) {
+            return;
+        }
+        gatheredAt = changes;
+        count = 0;
+        if (touching.length < modes.end()) {
+            touching = new int[modes.end()];
+            surface = new int[modes.end()];
+        }
+        for (int i = 0; i < modes.end(); i++) {
+            if (modes.isTouching(i) && !particles.isFixed(i) && !gather.isCoupled(i)) {
+                touching[count] = i;
+                int only = modes.only(i);
+                surface[count++] = modes.isSticking(i) ? STICKS : only >= 0 ? only : SEVERAL;
+            }
+        }
+    }
+
+    /** Adds the contact forces to those of all effects (N); returns the power of friction (W). */
+    private double addAll(double[] state, double time, double[] force) {
+        gatherTouching();
+        evaluate.prepare(state, time);
+        double power = 0;
+        for (int k = 0; k < count; k++) {
+            power += add(k, state, time, force);
+        }
+        return power;
+    }
+
+    private double add(int k, double[] state, double time, double[] force) {
+        int i = touching[k];
+        if (surface[k] == SEVERAL) {
+            return apply.addForces(gather.of(i), state, time, force, row -> row.frictionPower(state));
+        }
+        if (surface[k] == STICKS) {
+            Arrays.fill(force, Particles.STRIDE * i + 3, Particles.STRIDE * (i + 1), 0.0);
+            return 0;
+        }
+        return evaluate.sliding.addAlone(i, particles.mass(i), contacts.getSurfaces().get(surface[k]),
+                !contacts.isHolding(), state, force);
     }
 
     @Override
-    public void addForces(double[] state, double time, double[] force) {
-        blocks.getLone().addForces(state, time, force);
+    public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
+        gatherTouching();
+        evaluate.prepare(state, time);
+        double[][] matrices = new double[4][9];         // by force, place, velocity and the neighbour's place
+        for (int k = 0; k < count; k++) {
+            int i = touching[k];
+            Optional<Scales> scales = contacts.scalesOf(i);
+            int end = scales.map(s -> s.head() == i ? 1 : -1).orElse(0);     // how its place enters the body's axis
+            ContactDerivative derivative = new ContactDerivative(contacts, i, particles.mass(i), state,
+                    Vector3.at(force, Particles.STRIDE * i + 3), pushes(k, state, force));
+            for (int c = 0; c < 3; c++) {
+                Vector3 unit = new Vector3(c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
+                Vector3 body = unit.times(end);
+                Vector3[] columns = {derivative.change(unit, Vector3.ZERO, Vector3.ZERO, Vector3.ZERO),
+                    derivative.change(Vector3.ZERO, unit, Vector3.ZERO, body),
+                    derivative.change(Vector3.ZERO, Vector3.ZERO, unit, Vector3.ZERO),
+                    derivative.change(Vector3.ZERO, Vector3.ZERO, Vector3.ZERO, body.times(-1))};
+                for (int m = 0; m < columns.length; m++) {
+                    Vector3 column = surface[k] == STICKS ? Vector3.ZERO : columns[m];
+                    matrices[m][c] = column.x();
+                    matrices[m][3 + c] = column.y();
+                    matrices[m][6 + c] = column.z();
+                }
+            }
+            derivatives.transformRow(i, matrices[0]);
+            derivatives.add(i, i, matrices[1], matrices[2]);
+            scales.ifPresent(s -> derivatives.add(i, s.tail() + s.head() - i, matrices[3], NONE));
+        }
+    }
+
+    /** The normal forces on a particle that act now. */
+    private Push[] pushes(int k, double[] state, double[] force) {
+        if (surface[k] == STICKS) {
+            return new Push[0];
+        }
+        Push[] found = normal.find(touching[k], state, force, !contacts.isHolding());
+        boolean last = found.length == 1 && contacts.isHolding();
+        return Arrays.stream(found).filter(push -> last || push.size() != 0).toArray(Push[]::new);
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(state, time, force, row -> row.frictionPower(state))
-                + blocks.getLone().power(state, time, force);
+        total = total.length == force.length ? total : new double[force.length];
+        System.arraycopy(force, 0, total, 0, force.length);
+        return apply.power(state, time, force, row -> row.frictionPower(state)) + addAll(state, time, total);
     }
 
     @Override
     public Violation getViolation(double[] state, double since) {
+        List<ContactSurface> surfaces = contacts.getSurfaces();
         Violation worst = Violation.NONE;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size(); p++) {
@@ -303,8 +251,7 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void reindex(int[] newIndex) {
-        modes.reindex(newIndex);
-        sliding.reindex(newIndex);
+        contacts.reindex(newIndex);
     }
 
     /**
@@ -315,11 +262,11 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which its position and velocity are changed
      */
     public void putOnSurfaces(int particle, double[] state) {
-        Block block = blocks.of(particle);
-        double near = Tolerances.PLACE * (1 + Vector3.at(state, STRIDE * particle).norm1());
+        Block block = gather.of(particle);
+        double near = Tolerances.PLACE * (1 + Vector3.at(state, Particles.STRIDE * particle).norm1());
         double off = Double.POSITIVE_INFINITY;
         for (int k = 0; k < MOST_ITERATIONS && off > near && !block.isJoined(); k++) {
-            blocks.correct(block, state, 0, false, Block.ALL);
+            apply.correct(block, state, 0, false, true);
             off = Arrays.stream(block.rows).mapToDouble(row -> Math.abs(row.value)).max().orElse(0);
             settle(particle, false, state);
         }

@@ -44,21 +44,32 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
     public static final double USUAL_FEEDBACK = 5;
 
+    private final RestingContacts resting;
+    private final Contacts contacts;
     private final Particles particles;
-    private final double feedback;
-    private final Rows rows = new Rows();
-    private RestingContacts contacts;
-    private Blocks blocks;
+    private final List<Row> rows;
 
     /**
-     * @param system   the system of the particles
+     * @param resting  the contacts of the same system, which are solved together with these constraints; each reports
+     *                 its own power
      * @param feedback alpha, the rate at which errors decay (1/s), 0 or more
      * @throws IllegalArgumentException if the rate is out of range
      */
+    public RigidConstraints(RestingContacts resting, double feedback) {
+        this.resting = resting;
+        contacts = resting.getContacts();
+        contacts.setFeedback(Require.notNegative("the feedback rate", feedback));
+        particles = contacts.particles;
+        rows = contacts.rows;
+    }
+
+    /**
+     * Constraints of a system without surfaces.
+     *
+     * @throws IllegalArgumentException if the rate is out of range
+     */
     public RigidConstraints(ParticleSystem system, double feedback) {
-        this.particles = system.getParticles();
-        this.feedback = Require.notNegative("the feedback rate", feedback);
-        solveWith(new RestingContacts(system, List.of()));
+        this(new RestingContacts(system, List.of()), feedback);
     }
 
     /**
@@ -74,7 +85,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             throw new IllegalArgumentException("a rod from '" + particles.id(from) + "' to '" + particles.id(to)
                     + "'; its ends have to be two particles, and one of them free");
         }
-        rows.addLink(Kind.ROD, from, to, Require.positive("the length of a rod", length));
+        contacts.addLink(Kind.ROD, from, to, Require.positive("the length of a rod", length));
     }
 
     /**
@@ -89,12 +100,12 @@ public final class RigidConstraints implements Reaction, SpringView {
             throw new IllegalArgumentException("particle '" + particles.id(particle) + "' is fixed; a bead must"
                     + " be free to move");
         }
-        rows.addBead(particle, wire);
+        contacts.addBead(particle, wire);
     }
 
     @Override
     public String getName() {
-        if (rows.begin(Kind.WIRE) == rows.list.size()) {
+        if (contacts.begin(Kind.WIRE) == rows.size()) {
             return springCount() == 0 ? "collisions" : "rods";
         }
         return springCount() == 0 ? "wires" : "rods and wires";
@@ -102,7 +113,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public boolean isActive() {
-        return !rows.list.isEmpty();
+        return !rows.isEmpty();
     }
 
     @Override
@@ -117,19 +128,19 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        blocks.addForces(state, time, force);
+        resting.apply.addForces(state, time, force);
     }
 
     @Override
     public double getLargestAcceleration() {
-        return blocks.joined().stream().flatMap(block -> Arrays.stream(block.rows))
+        return resting.gather.joined().stream().flatMap(block -> Arrays.stream(block.rows))
                 .mapToDouble(row -> row.largestAcceleration(particles.getInverseMasses())).max().orElse(0);
     }
 
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(state, time, force,
+        return resting.apply.power(state, time, force,
                 row -> -row.force * row.rateOfAnchors(state, particles.getInverseMasses()));
     }
 
@@ -138,20 +149,9 @@ public final class RigidConstraints implements Reaction, SpringView {
         return true;
     }
 
-    /**
-     * Solves these constraints and contacts with surfaces together where a particle has both. Each reports its own
-     * power.
-     *
-     * @param contacts a reaction of the same system
-     */
-    public void solveWith(RestingContacts contacts) {
-        this.contacts = contacts;
-        blocks = contacts.join(rows, feedback);
-    }
-
     /** The contacts of balls, solved together with these constraints. */
     public BallContacts balls() {
-        return new BallContacts(blocks, contacts);
+        return new BallContacts(resting);
     }
 
     /**
@@ -163,14 +163,14 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @throws SimulationException if no nearby positions satisfy the constraints
      */
     public boolean project(double[] state, double time) {
-        return new ConstraintCorrection(blocks).project(state, time);
+        return resting.apply.project(state, time);
     }
 
     /** {@inheritDoc} Errors of rods and contacts are relative to their lengths, those of wires to 1 m. */
     @Override
     public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
-        for (Row row : rows.list) {
+        for (Row row : rows) {
             row.evaluate(state);
             String from = "'" + particles.id(row.first) + "'";
             if (row.kind == Kind.WIRE) {
@@ -189,12 +189,12 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void reindex(int[] newIndex) {
-        rows.reindex(newIndex);
+        contacts.reindexRows(newIndex);
     }
 
     @Override
     public int springCount() {
-        return rows.begin(Kind.BALLS);
+        return contacts.begin(Kind.BALLS);
     }
 
     @Override

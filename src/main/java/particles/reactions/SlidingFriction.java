@@ -1,12 +1,11 @@
 package particles.reactions;
 
-import java.util.Arrays;
 import java.util.Optional;
-import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.law.Scales;
 import particles.law.Scales.Skin;
+import particles.law.Scales;
 import particles.law.Vector3;
+import particles.reactions.ContactSurface.Friction;
 import particles.reactions.Row.Kind;
 
 /**
@@ -16,135 +15,28 @@ import particles.reactions.Row.Kind;
 final class SlidingFriction {
     private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals of pushing surfaces
     private int surfaces;
-    private Scales[] scales = {};                       // by particle; null for those that have none
-    private int step;                                   // its number
-    private double[] stepBegin = {};                    // the state at the beginning of the step
-    private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
+    private final Contacts contacts;
 
-    void setScales(Scales[] scales) {
-        this.scales = scales.clone();
+    SlidingFriction(Contacts contacts) {
+        this.contacts = contacts;
     }
 
-    /** Updates indices after particles were removed: one without its neighbour has no scales any more. */
-    void reindex(int[] newIndex) {
-        forget();
-        Scales[] before = scales;
-        scales = new Scales[before.length];
-        for (int i = 0; i < before.length; i++) {
-            Scales own = before[i];
-            if (own != null && newIndex[own.tail()] >= 0 && newIndex[own.head()] >= 0) {
-                scales[newIndex[i]] = new Scales(newIndex[own.tail()], newIndex[own.head()], own.forward(),
-                        own.backward(), own.across());
-            }
-        }
-    }
-
-    private boolean hasScales(int i) {
-        return i < scales.length && scales[i] != null;
-    }
-
-    /** The scales of a particle. */
-    Optional<Scales> scalesOf(int i) {
-        return hasScales(i) ? Optional.of(scales[i]) : Optional.empty();
-    }
-
-    /** A particle's velocity at the beginning of the step (m/s); 0 if none has begun. */
-    Vector3 beginning(int i) {
-        int v = Particles.STRIDE * i + 3;
-        return v < stepBegin.length ? Vector3.at(stepBegin, v) : Vector3.ZERO;
-    }
-
-    /** The mass of a particle divided by the time after which friction is to stop it (kg/s); 0 if it is not. */
-    double stoppingRate(int i) {
-        return i < stopping.length ? stopping[i] : 0;
-    }
-
-    /** How fast friction turns with the velocity, relative to that without scales. */
-    double sharpness(int i) {
-        return hasScales(i) ? scales[i].sharpness() : 1;
-    }
-
-    /** The skin of a particle on one surface. */
-    Skin skin(int i, double[] state, Vector3 normal) {
-        axes[0] = normal;
-        surfaces = 1;
-        return skin(i, state);
-    }
-
-    /** The skin of a particle along all surfaces that push it. */
-    Skin skin(int i, double[] state, Row... rows) {
+    /** The skin of a particle along all surfaces with these normals. */
+    Skin skin(int i, double[] state, Vector3... normals) {
         surfaces = 0;
-        for (Row row : rows) {
-            if (row.force > 0) {
-                keepAlong(row);
-            }
+        for (Vector3 normal : normals) {
+            keepAlong(normal);
         }
         return skin(i, state);
     }
 
     private Skin skin(int i, double[] state) {
-        if (!hasScales(i)) {
+        Optional<Scales> scales = contacts.scalesOf(i);
+        if (scales.isEmpty()) {
             return Skin.SMOOTH;
         }
-        double[] axis = new double[3];
-        scales[i].axis(state).put(axis, 0);
-        return scales[i].skin(Vector3.at(axis, 0).length(), along(axis, 0));
-    }
-
-    /** Records the state at the beginning of a step. */
-    void beginStep(ParticleSystem system) {
-        step++;
-        if (stepBegin.length != system.getStateSize()) {
-            stepBegin = new double[system.getStateSize()];
-        }
-        System.arraycopy(system.getOwnState(), 0, stepBegin, 0, stepBegin.length);
-        Arrays.fill(stopping, 0);
-    }
-
-    /**
-     * Lets friction act on a particle as an impulse over the step that begins, see {@link #find}.
-     *
-     * @param particle its index
-     * @param rate     its mass divided by the length of the step (kg/s)
-     */
-    void stopWithinStep(int particle, double rate) {
-        if (stopping.length * Particles.STRIDE != stepBegin.length) {
-            stopping = new double[stepBegin.length / Particles.STRIDE];
-        }
-        stopping[particle] = rate;
-    }
-
-    /**
-     * @param particle its index
-     * @return whether friction acts on it as an impulse in the present step
-     */
-    boolean mayStop(int particle) {
-        return stoppingRate(particle) > 0;
-    }
-
-    /** Forgets the state at the beginning of the step. */
-    void forget() {
-        stepBegin = new double[0];
-        stopping = new double[0];
-    }
-
-    /** @return the state at the beginning of the step; read only */
-    double[] getStepBegin() {
-        return stepBegin;
-    }
-
-    /** The number of the step. */
-    int getStep() {
-        return step;
-    }
-
-    /**
-     * @param particle its index
-     * @return whether it is at rest at the beginning of the step; if it slides, then where the force pulls it
-     */
-    boolean startsFromRest(int particle) {
-        int v = Particles.STRIDE * particle + 3;
-        return v < stepBegin.length && Vector3.at(stepBegin, v).norm1() <= Tolerances.STANDSTILL;
+        Vector3 axis = scales.get().axis(state);
+        return scales.get().skin(axis.length(), along(axis));
     }
 
     /**
@@ -158,7 +50,7 @@ final class SlidingFriction {
             if (isRough(row) && (r > 0 && rows[r - 1].isContactOf(row)
                     || r + 1 < rows.length && rows[r + 1].isContactOf(row)
                     || row.surface.friction().law() == Friction.Law.COULOMB
-                            && (mayStop(i) || startsFromRest(i) || isAtRest(row, state)))) {
+                            && (contacts.mayStop(i) || contacts.startsFromRest(i) || isAtRest(row, state)))) {
                 return true;
             }
         }
@@ -199,7 +91,7 @@ final class SlidingFriction {
             if (other.isContactOf(row)) {
                 all += other.surface.friction().ofCoulomb(other.push);
                 if (other != row && other.push != 0) {
-                    keepAlong(other);
+                    keepAlong(Vector3.at(other.gradient, 0));
                 }
             }
         }
@@ -231,8 +123,8 @@ final class SlidingFriction {
             Vector3.at(force, v).plus(normal.times(push)).put(force, v);
             return 0;
         }
-        boolean isIndirect = law.law() == Friction.Law.COULOMB && (mayStop(i) || startsFromRest(i)
-                || along(state, v).isZero());
+        boolean isIndirect = law.law() == Friction.Law.COULOMB && (contacts.mayStop(i)
+                || contacts.startsFromRest(i) || along(state, v).isZero());
         Vector3 before = Vector3.at(force, v);
         if (isIndirect) {                               // against the force that moves it
             before.plus(normal.times(push)).put(force, v);
@@ -260,12 +152,13 @@ final class SlidingFriction {
         return -(normal.x() * force[v] + normal.y() * force[v + 1] + normal.z() * force[v + 2] + bend);
     }
 
-    /** Lets the particle slide only along one more surface, with the normal of a row. */
-    private void keepAlong(Row row) {
-        Vector3 rest = along(row.gradient, 0);
+    /** Lets the particle slide only along one more surface, with this normal. */
+    private void keepAlong(Vector3 normal) {
+        Vector3 rest = along(normal);
         double length = length(rest);
         if (length > Tolerances.PARALLEL) {
-            axes[surfaces++] = rest.over(length);
+            axes[surfaces] = surfaces == 0 ? normal : rest.over(length);
+            surfaces++;
         }
     }
 
@@ -287,9 +180,10 @@ final class SlidingFriction {
         if (law.law() == Friction.Law.SLIDE) {
             return skin.stretch(along(state, v)).times(most / push);
         }
-        boolean stops = mayStop(v / Particles.STRIDE);
-        if (!stops && !startsFromRest(v / Particles.STRIDE)) {     // then the velocity is mostly round-off at first
-            Vector3 direction = skin.stretch(followBeginning(along(state, v), v));
+        int i = v / Particles.STRIDE;
+        boolean stops = contacts.mayStop(i);
+        if (!stops && !contacts.startsFromRest(i)) {     // then the velocity is mostly round-off at first
+            Vector3 direction = skin.stretch(followBeginning(along(state, v), i));
             double speed = length(direction);
             if (speed > 0) {
                 return skin.stretch(direction.times(most / speed / push));
@@ -297,7 +191,7 @@ final class SlidingFriction {
         }
         Vector3 needed = along(force, v);
         if (stops) {
-            needed = needed.plus(along(stepBegin, v).times(stopping[v / Particles.STRIDE]));
+            needed = needed.plus(along(contacts.beginning(i)).times(contacts.stoppingRate(i)));
         }
         if (skin != Skin.SMOOTH) {
             return skin.balance(needed.times(share), most).over(push);
@@ -311,11 +205,8 @@ final class SlidingFriction {
      * straight back this gives the initial direction, as if the sliding had not reversed; obliquely it keeps friction
      * continuous, so that implicit solvers converge. A velocity that is only round-off is replaced by the initial one.
      */
-    private Vector3 followBeginning(Vector3 velocity, int v) {
-        if (stepBegin.length <= v) {
-            return velocity;
-        }
-        Vector3 beginning = along(stepBegin, v);
+    private Vector3 followBeginning(Vector3 velocity, int i) {
+        Vector3 beginning = along(contacts.beginning(i));
         double length = length(beginning);
         if (length(velocity) < Tolerances.NO_DIRECTION * length) {
             return beginning;
@@ -324,13 +215,17 @@ final class SlidingFriction {
         return forward < 0 ? velocity.minus(beginning.over(length).times(2 * forward / length)) : velocity;
     }
 
-    /** The part along all surfaces of a vector that begins at an entry, without a new vector for each axis. */
+    /** The part along all surfaces of a vector that begins at an entry. */
     private Vector3 along(double[] vectors, int place) {
-        double x = vectors[place];
-        double y = vectors[place + 1];
-        double z = vectors[place + 2];
-        double rounding = Tolerances.ALONG * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        for (int a = 0; a < surfaces; a++) {
+        return along(Vector3.at(vectors, place));
+    }
+
+    private Vector3 along(Vector3 vector) {
+        double x = vector.x();
+        double y = vector.y();
+        double z = vector.z();
+        double rounding = Tolerances.ALONG * vector.norm1();
+        for (int a = 0; a < surfaces; a++) {            // without a new vector for each axis
             Vector3 axis = axes[a];
             double across = axis.x() * x + axis.y() * y + axis.z() * z;
             x -= across * axis.x();

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import particles.law.Particles;
 import particles.law.Scales.Skin;
 import particles.law.Vector3;
+import particles.reactions.NormalForces.Push;
 
 /**
  * Decides whether static friction can hold the particles of a linkage that is statically indeterminate. The loads of
@@ -21,7 +22,9 @@ final class StaticFriction {
     private static final int MOST_SWEEPS = 1_000;
     private static final int HALVINGS = 60;
 
-    private final ContactQueries queries;
+    private final EvaluatePhase evaluate;
+    private final SolvePhase solve;
+    private final NormalForces normal;
     private final Block block;
     private final double[] state;
     private final double[] total;
@@ -75,15 +78,18 @@ final class StaticFriction {
      * @param block the rods and wires of particles that cannot move
      * @param total the forces without these loads (N), to which they are added
      */
-    StaticFriction(ContactQueries queries, Block block, double[] state, double[] total) {
-        this.queries = queries;
+    StaticFriction(GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve, NormalForces normal, Block block,
+            double[] state, double[] total) {
+        this.evaluate = evaluate;
+        this.solve = solve;
+        this.normal = normal;
         this.block = block;
         this.state = state;
         this.total = total;
         balanced = total.clone();
         left = total.clone();
-        if (!held().allMatch(i -> queries.marginAlone(i, state, total) > 0)) {
-            search();
+        if (!held().allMatch(i -> normal.margin(i, state, total) > 0)) {
+            search(gather);
         }
     }
 
@@ -91,18 +97,17 @@ final class StaticFriction {
         return Arrays.stream(block.particles).filter(block.held::get);
     }
 
-    private void search() {
+    private void search(GatherPhase gather) {
         List<Cone> cones = new ArrayList<>();
         held().forEach(i -> {
             size += Vector3.at(total, place(i)).norm1();
-            for (Row row : queries.push(i, state, total).rows) {
-                Vector3 normal = Vector3.at(row.gradient, 0);
-                cones.add(new Cone(place(i), normal, row.surface.friction().staticCoefficient(),
-                        queries.skin(i, state, normal), new double[3]));
+            for (Push push : normal.find(i, state, total, true)) {
+                cones.add(new Cone(place(i), push.normal(), push.surface().friction().staticCoefficient(),
+                        evaluate.sliding.skin(i, state, push.normal()), new double[3]));
             }
         });
-        Block links = queries.linksBetween(block, held().toArray());
-        links.take(state, Block.ALL);
+        Block links = gather.linksBetween(block, held().toArray());
+        evaluate.evaluate(links, state);
         double[] before = left.clone();
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             cones.forEach(cone -> cone.balance(left, balanced));
@@ -133,7 +138,7 @@ final class StaticFriction {
                 }
             }
         }
-        links.solve(row -> true, true);
+        solve.solve(links, row -> true, true);
         links.addForces(left);
     }
 
@@ -151,7 +156,7 @@ final class StaticFriction {
      * others balance hold a particle even if nothing presses it on.
      */
     double margin(int particle) {
-        return size == 0 ? queries.marginAlone(particle, state, total)
+        return size == 0 ? normal.margin(particle, state, total)
                 : allowed(particle) - Vector3.at(left, place(particle)).length();
     }
 

@@ -7,6 +7,12 @@
  * coefficient, and mu<sub>s</sub> that of rest; x', the derivative by time; F<sub>t</sub> and v<sub>t</sub>, the parts
  * along a surface.
  *
+ * <p><b>Phases.</b> {@link particles.reactions.Contacts} has the data, a row for each rod, wire and contact, and a
+ * block for those that depend on each other. {@link particles.reactions.GatherPhase} gathers who is joined and who
+ * touches what, {@link particles.reactions.EvaluatePhase} evaluates gaps, velocities and the matrix, {@link
+ * particles.reactions.SolvePhase} solves for forces or impulses by one active-set method, and {@link
+ * particles.reactions.ApplyPhase} adds the forces, or changes places and velocities. No phase knows a later one.
+ *
  * <p><b>Unknowns.</b> A constraint is a function C(x) that is to stay 0: a rod is one, its length minus the prescribed
  * one; a wire is two; a contact is one, C = d. Each is a row of equations. Its force is lambda times the gradient of C.
  * With J the gradients of all rows, W the inverse masses and F the sum of all effects, C'' = J W F + J W J<sup>T</sup>

@@ -29,8 +29,9 @@ import particles.reactions.Tolerances;
  * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
  * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
  * friction's threshold or has reversed within a step, if static friction can hold it. In a step in which Coulomb
- * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopAfter}; where that would let
- * it slide visibly too far, the step is divided at the stop.
+ * friction may stop it, friction acts as an impulse, see {@link
+ * particles.reactions.Contacts#stopAfter}; where that would let it slide visibly too far, the step is divided at the
+ * stop.
  */
 public final class ClampedImpacts extends Impacts implements EventRule {
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
@@ -50,9 +51,9 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private record Below(int surface, int particle, double crossed) {
     }
 
-    /** @param contacts the surfaces and the particles in contact with them */
-    public ClampedImpacts(RestingContacts contacts) {
-        super(contacts);
+    /** @param resting the surfaces and the particles in contact with them */
+    public ClampedImpacts(RestingContacts resting) {
+        super(resting);
         hasSpheres = surfaces.stream().anyMatch(surface -> !surface.obstacle().isFlat());
         entered = new double[surfaces.size()];
     }
@@ -68,7 +69,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         stepEnd = system.getTime() + deltaT;
         stops.clear();
         for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
-            double time = contacts.isCoupled(i) ? deltaT : contacts.getQueries().stoppingTime(i, state, forces());
+            double time = resting.isCoupled(i) ? deltaT : resting.getQueries().stoppingTime(i, state, forces());
             double farther = velocity(state, i).length() * (deltaT - time) / 2;
             boolean divides = time < deltaT && farther > Tolerances.FAR * (1 + Vector3.at(state, STRIDE * i).norm1());
             contacts.stopAfter(i, divides ? time : deltaT);
@@ -109,7 +110,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         for (int i = 0; i < particles.count(); i++) {
             if (!particles.isFixed(i) && check(i, below)) {
                 changed = true;
-                coupledChanged |= contacts.isCoupled(i);
+                coupledChanged |= resting.isCoupled(i);
             }
         }
         below.sort(Comparator.comparingDouble(Below::crossed));
@@ -121,7 +122,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
             answer(below.subList(from, to), deltaT);
         }
         if (coupledChanged) {
-            contacts.putBack();
+            resting.putBack();
         }
         forceKnown &= below.isEmpty() && !coupledChanged;
         // last, since a rod between two sticking particles could no longer be corrected
@@ -164,7 +165,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
         double[] before = contacts.getStepBegin();
         double[] most = new double[crossing.size()];
         List<Meeting> meetings = new ArrayList<>();
-        Map<Integer, List<ContactSurface>> under = new LinkedHashMap<>();
+        Map<Integer, BitSet> under = new LinkedHashMap<>();
         for (int k = 0; k < most.length; k++) {
             int p = crossing.get(k).surface;
             int i = crossing.get(k).particle;
@@ -176,7 +177,7 @@ public final class ClampedImpacts extends Impacts implements EventRule {
                 most[k] = Double.NaN;                   // an impact on another surface has taken it out
                 continue;
             }
-            under.computeIfAbsent(i, particle -> new ArrayList<>()).add(surface);
+            under.computeIfAbsent(i, particle -> new BitSet()).set(p);
             if (speed >= 0 && !surface.obstacle().isFlat() && isOn(surface, before, i)) {
                 most[k] = Double.NaN;                   // it has just left: below only by the error of its step
                 continue;
@@ -189,23 +190,23 @@ public final class ClampedImpacts extends Impacts implements EventRule {
                 double leaving = surface.bounce().restitution() * atSurface;
                 boolean rests = leaving <= most[k];
                 // a particle that rests stays on others where it would be back in half a step
-                Vector3 pull = rests && modes.isTouching(i) && !contacts.isCoupled(i)
+                Vector3 pull = rests && modes.isTouching(i) && !resting.isCoupled(i)
                         ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
                 meetings.add(new Meeting(p, i, rests ? 0 : leaving, pull));
             } else {
                 most[k] = Double.NaN;
-                if (!contacts.isCoupled(i)) {
+                if (!resting.isCoupled(i)) {
                     moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
                 }
             }
         }
-        under.forEach((i, some) -> contacts.getImpacts().lift(i, some, state));
-        contacts.getImpacts().answer(meetings, state);
+        under.forEach((i, some) -> resting.getImpacts().lift(i, some, state));
+        resting.getImpacts().answer(meetings, state);
         for (int k = 0; k < most.length; k++) {
             int i = crossing.get(k).particle;
             if (surfaces.get(crossing.get(k).surface).normalSpeed(state, i) <= most[k]) {
                 rest(crossing.get(k).surface, i);
-                contacts.putOnSurfaces(i, state);
+                resting.putOnSurfaces(i, state);
                 forceKnown = false;
             }
         }

@@ -222,7 +222,7 @@ public final class Collisions implements EventRule {
             }
         }
         touching.forgetBounces();
-        apart.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
+        apart.stream().forEach(i -> impacts.resting.settle(i, false, state));     // on surfaces they still touch
         apart.stream().filter(i -> impacts.contacts.isSlow(i, state)).forEach(i -> impacts.stickIfSlow(i, fast));
         touching.stop(state, false);
         release(-Double.MIN_VALUE);

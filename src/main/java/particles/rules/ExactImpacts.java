@@ -26,9 +26,9 @@ import particles.reactions.Tolerances;
 public final class ExactImpacts extends Impacts implements EventRule {
     private Optional<Collisions> balls = Optional.empty();
 
-    /** @param contacts the surfaces and the particles in contact with them */
-    public ExactImpacts(RestingContacts contacts) {
-        super(contacts);
+    /** @param resting the surfaces and the particles in contact with them */
+    public ExactImpacts(RestingContacts resting) {
+        super(resting);
         contacts.setHolding(true);
     }
 
@@ -61,8 +61,8 @@ public final class ExactImpacts extends Impacts implements EventRule {
             for (int i = 0; !surface.obstacle().isFlat() && i < particles.count(); i++) {
                 if (modes.get(p, i) != Mode.FREE) {
                     putOn(surface, state, i);
-                    if (!contacts.isCoupled(i)) {
-                        contacts.settle(i, false, state);
+                    if (!resting.isCoupled(i)) {
+                        resting.settle(i, false, state);
                     }
                 } else if (surface.distance(state, i) < 0 && surface.normalSpeed(state, i) >= 0
                         && !particles.isFixed(i)) {
@@ -105,13 +105,13 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double[] state = motion.getEndState();
         for (int p = 0; p < surfaces.size(); p++) {
             int surface = p;
-            if (modes.get(p, i) != Mode.FREE && contacts.getQueries().pressure(p, i, state, force) < 0) {
+            if (modes.get(p, i) != Mode.FREE && resting.getQueries().pressure(p, i, state, force) < 0) {
                 found.add(new Event(end, true, () -> pressure(surface, i), () -> letGo(surface, i)));
                 return;
             }
         }
         if (modes.isSticking(i)) {
-            if (contacts.getQueries().holdMargin(i, state, force) < 0) {
+            if (resting.getQueries().holdMargin(i, state, force) < 0) {
                 found.add(new Event(end, true, () -> holdMargin(i), () -> slide(i)));
             }
             return;
@@ -205,7 +205,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         findMeetings(met);
         balls.ifPresent(Collisions::findTouching);
         do {
-            contacts.getImpacts().answer(meetings(met), state);
+            resting.getImpacts().answer(meetings(met), state);
         } while (findMeetings(met) | balls.map(Collisions::findTouching).orElse(false));
         met.forEach((j, some) -> some.stream().forEach(q -> settle(q, j, velocity(before, j).length())));
         balls.ifPresent(Collisions::settle);
@@ -215,15 +215,15 @@ public final class ExactImpacts extends Impacts implements EventRule {
     private void settle(int p, int i, double speedBefore) {
         double[] state = system.getOwnState();
         boolean rests = surfaces.get(p).normalSpeed(state, i) <= restSpeed(surfaces.get(p), i);
-        boolean isAlone = !contacts.isCoupled(i);
+        boolean isAlone = !resting.isCoupled(i);
         if (rests) {
             rest(p, i);
         }
-        contacts.putOnSurfaces(i, state);
+        resting.putOnSurfaces(i, state);
         if (rests || isAlone) {
             stickIfSlow(i, speedBefore);
         }
-        contacts.settle(i, false, state);
+        resting.settle(i, false, state);
     }
 
     private static boolean noteMeeting(int p, int i, Map<Integer, BitSet> met) {

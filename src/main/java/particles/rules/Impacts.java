@@ -8,6 +8,7 @@ import particles.law.Vector3;
 import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
+import particles.reactions.Contacts;
 import particles.reactions.RestingContacts;
 import particles.reactions.Tolerances;
 
@@ -20,7 +21,8 @@ import particles.reactions.Tolerances;
 abstract class Impacts implements Rule {
     static final int STRIDE = Particles.STRIDE;
 
-    final RestingContacts contacts;
+    final RestingContacts resting;
+    final Contacts contacts;
     final ParticleSystem system;
     final Particles particles;
     final List<ContactSurface> surfaces;
@@ -30,8 +32,9 @@ abstract class Impacts implements Rule {
     private double[] force = {};
     final FirstCrossing crossing = new FirstCrossing();
 
-    Impacts(RestingContacts contacts) {
-        this.contacts = contacts;
+    Impacts(RestingContacts resting) {
+        this.resting = resting;
+        contacts = resting.getContacts();
         system = contacts.getSystem();
         particles = system.getParticles();
         surfaces = contacts.getSurfaces();
@@ -60,7 +63,7 @@ abstract class Impacts implements Rule {
         }
         for (int i = 0; i < modes.end(); i++) {
             stickIfSlow(i, velocity(before, i).length());
-            contacts.settle(i, false, state);
+            resting.settle(i, false, state);
         }
         stickOthers();
         contacts.beginStep();
@@ -94,16 +97,16 @@ abstract class Impacts implements Rule {
     }
 
     final double pressure(int p, int i) {
-        return contacts.getQueries().pressure(p, i, system.getOwnState(), forces());
+        return resting.getQueries().pressure(p, i, system.getOwnState(), forces());
     }
 
     final double holdMargin(int i) {
-        return contacts.getQueries().holdMargin(i, system.getOwnState(), forces());
+        return resting.getQueries().holdMargin(i, system.getOwnState(), forces());
     }
 
     /** Lets a particle rest on a surface; where contact lasts until a release, only if the forces press it on. */
     final void rest(int p, int i) {
-        if (contacts.getImpacts().canPush(p, i, system.getOwnState())) {
+        if (resting.getImpacts().canPush(p, i, system.getOwnState())) {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);
             modes.setWhereTouching(i, Mode.SLIDING);
@@ -149,14 +152,14 @@ abstract class Impacts implements Rule {
     final void stick(int i, double[] state) {
         moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
         modes.setWhereTouching(i, Mode.STICKING);
-        contacts.settle(i, true, state);
-        forceKnown &= !contacts.isCoupled(i);
+        resting.settle(i, true, state);
+        forceKnown &= !resting.isCoupled(i);
     }
 
     /** Lets particles that are coupled to one that came to rest stick too; they have no event of their own. */
     final void stickOthers() {
         for (int i = 0; i < modes.end(); i++) {
-            if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, system.getOwnState())
+            if (resting.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, system.getOwnState())
                     && holdMargin(i) >= 0) {
                 stick(i, system.getOwnState());
             }

@@ -100,7 +100,7 @@ public final class SceneBuilder {
         Optional<RestingContacts> contacts = Optional.empty();
         if (!assembly.getSurfaces().isEmpty() || scene.hasHardBalls()) {       // the ground and others to collide with
             contacts = Optional.of(new RestingContacts(system, assembly.getSurfaces()));
-            contacts.get().setScales(index.scales());
+            contacts.get().getContacts().setScales(index.scales());
             system.addReaction(contacts.get());
             // no conditional expression: compiled by JDK 25, it has both classes loaded in every scene
             if (scene.exactImpacts()) {

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import particles.ParticleSystem;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
-import particles.law.Effect;
 import particles.law.Effect.Trait;
+import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Plane;
@@ -29,8 +29,8 @@ import particles.law.Scales;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface.Friction;
 import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
 import particles.reactions.RestingContacts;
 
 /** The force derivatives of a particle system against central differences, on random systems. */
@@ -68,8 +68,8 @@ class ForceJacobianTest {
                 List.of(new ContactSurface("one", one, 0, friction, 0.01),
                 new ContactSurface("other", other, 0, friction, 0.01)));
         for (int i = 0; i < N; i++) {
-            contacts.getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
-            contacts.getModes().set(1, i, i % 2 == 0 ? Mode.FREE : mode);
+            contacts.getContacts().getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
+            contacts.getContacts().getModes().set(1, i, i % 2 == 0 ? Mode.FREE : mode);
         }
         system.addReaction(contacts);
         return contacts;
@@ -81,7 +81,7 @@ class ForceJacobianTest {
         for (int i = 2; i < N; i++) {
             scales[i] = new Scales(i == 2 ? 0 : i - 1, i, 0.6, 2.5, 1.5);
         }
-        ((RestingContacts) system.getReactions().get(0)).setScales(scales);
+        ((RestingContacts) system.getReactions().get(0)).getContacts().setScales(scales);
     }
 
     /** J w by central differences, from Richardson's extrapolation of two. */
@@ -170,7 +170,8 @@ class ForceJacobianTest {
             addSprings(system, random, k % 3 == 0 ? 20 : 0.5);
             RestingContacts contacts = contacts(system, new Friction(law, 0.3, 0.4, 1e-3),
                     k % 2 == 0 ? Mode.SLIDING : Mode.STICKING, pairs[k / 4 % 2][0], pairs[k / 4 % 2][1]);
-            contacts.setHolding(k / 2 % 2 == 0 && k / 8 % 4 < 2);   // there contacts may pull, which is no friction
+            // where contacts may pull, there is no friction
+            contacts.getContacts().setHolding(k / 2 % 2 == 0 && k / 8 % 4 < 2);
             if (k % 5 < 2) {
                 addScales(system);
             }
@@ -190,10 +191,10 @@ class ForceJacobianTest {
             }
         }
         if (how > 0) {
-            contacts.beginStep();
+            contacts.getContacts().beginStep();
         }
         for (int i = 1; i < N && how == 3; i++) {
-            contacts.stopAfter(i, 0.01 + random.nextDouble());
+            contacts.getContacts().stopAfter(i, 0.01 + random.nextDouble());
         }
         System.arraycopy(now, 0, state, 0, state.length);
     }

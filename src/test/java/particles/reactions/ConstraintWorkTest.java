@@ -63,7 +63,7 @@ class ConstraintWorkTest {
                 particles: [{id: p, position: [0, -1, 0], velocity: [%s, 0, 0]}]
                 rules: [sphere: {centre: [0, 0, 0], radius: 1, hollow: true}]
                 """.formatted(Math.sqrt(4.5 * 9.81)));
-        ball.contacts().getModes().set(0, 0, ContactModes.Mode.SLIDING);
+        ball.contacts().getContacts().getModes().set(0, 0, ContactModes.Mode.SLIDING);
         ParticleSystem system = ball.getSystem();
         EnergyLedger ledger = run(system, "verlet", 0.01, 0.3);
         double change = ledger.getEnergy() - ledger.getStartEnergy();

@@ -143,9 +143,9 @@ class FallingRodsTest {
         double[] state = trestle.getState();
         RestingContacts contacts = trestle.contacts();
         assertEquals(mu * G, contacts.getQueries().holdMargin(0, state, trestle.effects()), 1e-9);
-        contacts.getModes().set(0, 0, Mode.SLIDING);
-        contacts.getModes().set(0, 1, Mode.FREE);
-        contacts.getModes().set(0, 2, Mode.SLIDING);
+        contacts.getContacts().getModes().set(0, 0, Mode.SLIDING);
+        contacts.getContacts().getModes().set(0, 1, Mode.FREE);
+        contacts.getContacts().getModes().set(0, 2, Mode.SLIDING);
         state[10] = -4;
         assertTrue(contacts.getQueries().holdMargin(0, state, trestle.effects()) < 0, "nothing can hold it");
     }

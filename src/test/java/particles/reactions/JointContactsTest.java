@@ -65,7 +65,7 @@ class JointContactsTest {
         assertEquals(cosine, ladder.getStates().get(0)[7], 1e-9);
         double rate = Math.sqrt(2 * G * (Math.cos(a0) - cosine));
         assertEquals(-Math.sqrt(1 - cosine * cosine) * rate, ladder.getStates().get(0)[10], 8e-9);
-        assertEquals(Mode.FREE, ladder.contacts().getModes().get(1, 1));
+        assertEquals(Mode.FREE, ladder.contacts().getContacts().getModes().get(1, 1));
         assertTrue(ladder.at(6) > 0.05, "it moves away from the wall, at x = " + ladder.at(6));
     }
 

@@ -236,10 +236,10 @@ class CollisionsTest {
                   - plane: {normal: [-1, 1, 0], friction: {law: coulomb, coefficient: 0.6}}
                 """);
         run.getSimulation().start();
-        run.contacts().getModes().setWhereTouching(0, Mode.SLIDING);
+        run.contacts().getContacts().getModes().setWhereTouching(0, Mode.SLIDING);
         double[] state = run.getState();
         new Vector3(0.02, -0.02, 0).put(state, 3);
-        run.contacts().beginStep();
+        run.contacts().getContacts().beginStep();
         new Vector3(-1.7e-18, -1.7e-18, 0).put(state, 3);
         assertArrayEquals(new double[] {Math.sqrt(2) * G, Math.sqrt(2) * G}, new double[] {pressure(run, 0, 0),
             pressure(run, 1, 0)}, 1e-13);

@@ -213,13 +213,13 @@ class ScalesOnTheGroundTest {
             }
             RestingContacts contacts = run.contacts();
             for (int i = 0; i < 6; i++) {
-                contacts.getModes().set(0, i, i == 5 ? Mode.FREE : Mode.SLIDING);
-                contacts.getModes().set(1, i, i % 2 == 0 ? Mode.FREE : Mode.SLIDING);
+                contacts.getContacts().getModes().set(0, i, i == 5 ? Mode.FREE : Mode.SLIDING);
+                contacts.getContacts().getModes().set(1, i, i % 2 == 0 ? Mode.FREE : Mode.SLIDING);
                 contacts.settle(i, false, state);
             }
-            contacts.beginStep();
+            contacts.getContacts().beginStep();
             for (int i = 0; i < 6 && k % 2 == 0; i++) {
-                contacts.stopAfter(i, 0.01);
+                contacts.getContacts().stopAfter(i, 0.01);
             }
             double power = contacts.getPower(state, 0, run.effects());
             assertTrue(power <= 1e-9, "case " + k + ": " + power + " W");

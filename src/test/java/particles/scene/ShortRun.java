@@ -116,12 +116,12 @@ public final class ShortRun implements Observer {
 
     /** @return whether static friction holds a particle */
     public boolean isHeld(int i) {
-        return contacts().getModes().isSticking(i);
+        return contacts().getContacts().getModes().isSticking(i);
     }
 
     /** @return how the first particle touches the first surface */
     public Mode mode() {
-        return contacts().getModes().get(0, 0);
+        return contacts().getContacts().getModes().get(0, 0);
     }
 
     public Scene getScene() {

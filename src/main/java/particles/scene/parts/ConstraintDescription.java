@@ -43,7 +43,8 @@ public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wi
         if (rods.isEmpty() && wires.isEmpty() && assembly.getBalls().isEmpty()) {
             return;
         }
-        RigidConstraints constraints = new RigidConstraints(system, values.get(FEEDBACK));
+        RigidConstraints constraints = new RigidConstraints(
+                contacts.orElseGet(() -> new RestingContacts(system, List.of())), values.get(FEEDBACK));
         for (Values rod : rods) {
             String from = rod.get(SpringDescription.FROM);
             String to = rod.get(SpringDescription.TO);
@@ -56,7 +57,6 @@ public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wi
             constraints.addBead(index.find(bead).orElseThrow(), curve);
             assembly.show(curve);
         }
-        contacts.ifPresent(constraints::solveWith);
         for (Rule rule : List.copyOf(simulation.getRules())) {
             if (rule instanceof ExactImpacts impacts) {
                 assembly.getBalls().map(balls -> new Collisions(impacts, constraints, balls)).ifPresent(collisions -> {
