@@ -106,7 +106,7 @@ class ArchitectureTest {
                                            particles.law particles.scene.format particles.view org.ejml
                                            org.hipparchus
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
-                                           deSolvers.text particles particles.effects.springs particles.experiments.runs
+                                           deSolvers.text particles particles.experiments.runs
                                            particles.experiments.stability particles.law particles.scene particles.view
             particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.energy particles.experiments.stability

@@ -9,7 +9,6 @@ import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.runs.CpuClock;
-import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.EffectCost;
 import particles.experiments.work.StiffCloth;
@@ -40,11 +39,13 @@ final class Experiments {
             String title = asked.scene().title() + ": energy error";
             return asked.page(title, List.of(
                     Picture.of("energy-drift", """
-                            The size of the energy error over time. At the curves: an error that drifts, at the end; \
-                            the largest size of any other. A cross marks a run that ended early.""",
-                            Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts(), "stopped")))).first(first),
-                    Picture.of("energy-drift-energy-error", "The energy error over time, while it is less than 10 %.",
-                            Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison)))).first(first)),
+                            The size of the energy error over time. At the curves: the error where it is largest. A \
+                            cross marks a run that ended early.""",
+                            Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts())))).first(first),
+                    Picture.of("energy-drift-energy-error", """
+                            The energy error over time, while it is less than 10 %, of all solvers whose error can be \
+                            seen on this axis.""", Panel.of(title + ", with its sign",
+                            List.of(DriftCharts.small(comparison.drifts())))).first(first)),
                     List.of(DriftCharts.table(comparison)));
         };
     }
@@ -62,8 +63,8 @@ final class Experiments {
                         + solved.origin() + ". At the curves: ";
                 pictures.add(Picture.of(solved.name() + "-evaluations", caption + "the slope of the three finest runs"
                         + " above round-off, and in brackets that of theory." + (solved.isStiff() ? " Implicit solvers:"
-                        + " of the finest with deltaT over " + Digits.few(solved.stiffDeltaT()) + " s, where the springs"
-                        + " are stiff." : ""), WorkPrecision.byEvaluations(runs)).first(first));
+                        + " of the finest with deltaT over " + Digits.few(solved.stiffDeltaT()) + " s, where the"
+                        + " springs are stiff." : ""), WorkPrecision.byEvaluations(runs)).first(first));
                 pictures.add(Picture.of(solved.name() + "-time", caption + "the last error.",
                         WorkPrecision.byTime(runs)).first(first));
             }
@@ -83,8 +84,8 @@ final class Experiments {
             return asked.page(title, List.of(Picture.of("stiff-gallery", """
                     Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable run, \
                     and what is left of the energy of the stiff vibration, at most in the last tenth of the run. At \
-                    the curves: the exponent with which evaluations grow, from k = 1000 on. Below: the solvers that are \
-                    never stable, or that do not reach 1 % with a million steps.""", Panel.of(title,
+                    the curves: the exponent with which evaluations grow, from k = 1000 on. Below: solvers that are \
+                    never stable, or do not reach 1 % with a million steps.""", Panel.of(title,
                     StiffGallery.charts(sweeps.stream().flatMap(List::stream).toList()))).first(List.of("rk4",
                     "verlet", "backward-euler", "implicit-midpoint", "radau"))), List.of(StiffGallery.table(sweeps)));
         };

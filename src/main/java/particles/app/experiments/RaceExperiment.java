@@ -68,8 +68,8 @@ final class RaceExperiment {
                         Picture.of("race-charts", """
                                 Above, unless particles are born or die, the distance of each solver from the \
                                 reference, root mean square over the particles; at the curves, also over time. Below, \
-                                the energy error; at the curves, the last if it drifts, otherwise the largest. A cross \
-                                marks where a solver left the race.""",
+                                the energy error; at the curves, where it is largest. A cross marks where a solver \
+                                left the race.""",
                                 Panel.of(RaceCharts.title(race), Stream.of(RaceCharts.distance(race),
                                 RaceCharts.energy(race)).filter(chart -> chart.series().stream().anyMatch(series ->
                                 series.x().length > 0)).toList()))),

@@ -3,13 +3,13 @@ package particles.experiments.energy;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
-import particles.experiments.energy.EnergyDrift.Kind;
+import particles.experiments.runs.SceneRun.Outcome;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -20,6 +20,8 @@ import particles.view.Series.Mark;
 public final class DriftCharts {
     /** The linear chart ends at this part of the energy scale (%). */
     private static final double LINEAR = 10;
+    /** Smaller errors than this part of the largest one drawn are a straight line at 0. */
+    private static final double SEEN = 0.01;
     private static final double PERCENT = 100;
     private static final double SMALLEST = 1e-15;
     private static final String UNIT = "% of scale";
@@ -28,44 +30,52 @@ public final class DriftCharts {
     }
 
     /**
-     * @param drifts  the measured drifts
-     * @param stopped the name of the crosses where a run ended early
+     * @param drifts the measured drifts
      * @return the size of all errors on a logarithmic axis
      */
-    public static Chart sizes(List<Drift> drifts, String stopped) {
-        List<Series> series = new ArrayList<>();
-        for (Drift drift : drifts) {
-            series.add(line(drift, Arrays.stream(drift.error()).map(e -> PERCENT * Math.abs(e)).map(e ->
-                    e < SMALLEST ? Double.NaN : e)));
-            if (drift.kind() == Kind.FAILED) {
-                series.add(Series.point(drift.look(), stopped, Mark.FAILURES,
-                        drift.time()[drift.time().length - 1], Math.max(SMALLEST, PERCENT * Math.abs(drift.end()))));
-            }
-        }
-        return new Chart(Axis.TIME, Axis.log("|energy error|", UNIT), series);
+    public static Chart sizes(List<Drift> drifts) {
+        return new Chart(Axis.TIME, Axis.log("|energy error|", UNIT), drifts.stream().flatMap(drift -> toItsEnd(
+                line(drift, percent(drift).map(Math::abs).map(e -> e < SMALLEST ? Double.NaN : e)), drift.outcome()))
+                .toList());
     }
 
     /**
-     * @param comparison the measured drifts
-     * @return the errors with their signs on a linear axis, each while it is small
+     * @param line    a curve over time
+     * @param outcome the outcome of its run
+     * @return the curve, and a cross at its end if the run ended early
      */
-    public static Chart small(Comparison comparison) {
-        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), comparison.drifts().stream().map(drift ->
-                line(drift, Arrays.stream(drift.error()).map(e -> PERCENT * e).takeWhile(e -> Math.abs(e) <= LINEAR)))
-                .toList());
+    public static Stream<Series> toItsEnd(Series line, Outcome outcome) {
+        int last = line.last();
+        return outcome.whole() || last < 0 ? Stream.of(line) : Stream.of(line, Series.point(line.look(), "stopped",
+                Mark.FAILURES, line.x()[last], line.y()[last]));
+    }
+
+    /**
+     * @param drifts the measured drifts
+     * @return the errors with their signs on a linear axis, each while it is small; without those that are too small
+     *         to be seen beside the others
+     */
+    public static Chart small(List<Drift> drifts) {
+        double top = drifts.stream().mapToDouble(DriftCharts::shown).max().orElse(0);
+        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), drifts.stream()
+                .filter(drift -> shown(drift) >= SEEN * top)
+                .map(drift -> line(drift, percent(drift).takeWhile(e -> Math.abs(e) <= LINEAR))).toList());
+    }
+
+    private static double shown(Drift drift) {
+        return Math.min(LINEAR, PERCENT * Math.abs(drift.extreme()));
+    }
+
+    private static DoubleStream percent(Drift drift) {
+        return Arrays.stream(drift.error()).map(e -> PERCENT * e);
     }
 
     private static Series line(Drift drift, DoubleStream percent) {
         double[] error = percent.toArray();
         return new Series(drift.look(), drift.label(), Mark.LINE, Arrays.copyOf(drift.time(), error.length), error)
-                .ending(end(drift));
-    }
-
-    /** The error at the end, or the size of one that goes up and down; of a run that ended early, the time. */
-    private static String end(Drift drift) {
-        String size = Digits.few(PERCENT * (drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest()), 2);
-        return drift.kind() == Kind.FAILED ? "until " + Digits.few(drift.outcome().endTime()) + " s"
-                : (drift.kind() != Kind.SECULAR ? "\u00b1" : drift.end() < 0 ? "-" : "+") + size + " %";
+                .ending(drift.outcome().whole() ? (drift.extreme() > 0 ? "+" : "")
+                        + Digits.few(PERCENT * drift.extreme(), 2) + " %"
+                        : "until " + Digits.few(drift.outcome().endTime()) + " s");
     }
 
     /**
@@ -79,7 +89,6 @@ public final class DriftCharts {
                 column("end drift (%)", 2, drift -> PERCENT * drift.end()),
                 column("largest (%)", 2, drift -> PERCENT * drift.extreme()),
                 column("slope (%/s)", 3, drift -> PERCENT * drift.slope()),
-                column("error over time", drift -> drift.kind().words),
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("CPU time (s)", 2, drift -> drift.outcome().seconds()),
                 column("what went wrong", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();

@@ -21,38 +21,8 @@ import particles.view.Look;
  * neither drag nor bounces nor any other work explains - relative to the largest energy of an accurate run.
  */
 public final class EnergyDrift {
-    /** Below this part of the scale, errors are round-off. */
-    private static final double ROUNDING = 1e-12;
-    /** The same for long runs: half a unit in the last place, always to the same side, in each step. */
-    private static final double ROUNDING_OF_A_STEP = 0x1p-53;
-    /** The error drifts if its best straight line rises by more than this many times the scatter about it. */
-    private static final double SECULAR = 2;
     /** Enough for the size of the energy to six digits; a tighter one takes most of the time on a stiff cloth. */
     private static final double REFERENCE_TOLERANCE = 1e-6;
-
-    /** The kind of growth of an energy error. */
-    public enum Kind {
-        /** The energy is conserved, and its error grows with time. */
-        SECULAR("drifts"),
-        /** The energy is conserved, and its error goes up and down within limits. */
-        BOUNDED("bounded"),
-        /** The error is round-off. */
-        ROUNDING("round-off"),
-        /**
-         * Damping, driving or impacts change the energy. The error then fades with the motion or follows it. Only its
-         * size says something about the solver, not its growth.
-         */
-        EXCHANGING("not judged: damped or driven scene"),
-        /** The run failed. */
-        FAILED("failed");
-
-        /** Its name in tables. */
-        final String words;
-
-        Kind(String words) {
-            this.words = words;
-        }
-    }
 
     /**
      * The energy drift of one solver's run.
@@ -60,14 +30,9 @@ public final class EnergyDrift {
      * @param setting the solver and its step
      * @param time    the times of the errors (s)
      * @param error   the numerical error at these times, divided by the energy scale
-     * @param end     the last error
-     * @param largest the size of the largest error
-     * @param slope   the slope of the straight line through all errors (1/s)
-     * @param kind    the kind of growth
      * @param outcome the outcome of the run
      */
-    public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
-            Kind kind, Outcome outcome) {
+    public record Drift(Setting setting, double[] time, double[] error, Outcome outcome) {
 
         /** @return the solver's name in charts */
         public String label() {
@@ -77,6 +42,16 @@ public final class EnergyDrift {
         /** @return the solver's look in charts */
         public Look look() {
             return setting.solver().look();
+        }
+
+        /** @return the last error */
+        public double end() {
+            return error[error.length - 1];
+        }
+
+        /** @return the slope of the straight line through all errors (1/s) */
+        public double slope() {
+            return FittedLine.slope(time, error);
         }
 
         /** @return the error of the largest size, with its sign: above 0 if energy was gained */
@@ -120,27 +95,8 @@ public final class EnergyDrift {
         energy.attachTo(built.simulation(), beside);
         Outcome outcome = SceneRun.run(built, List.of());
         double[][] errors = energy.getLedger().getNumericalErrors();
-        return judge(setting, errors[0], errors[1], energy.getLedger().getLargestWork(), scale, outcome);
-    }
-
-    /**
-     * @param time      the times of the errors (s)
-     * @param joules    the errors (J)
-     * @param exchanged the largest work that damping, driving or a rule did (J)
-     * @param scale     the energy scale (J)
-     */
-    static Drift judge(Setting setting, double[] time, double[] joules, double exchanged, double scale,
-            Outcome outcome) {
-        int finite = (int) Arrays.stream(joules).takeWhile(Double::isFinite).count();
-        double[] t = Arrays.copyOf(time, finite);
-        double[] error = Arrays.stream(joules).limit(finite).map(value -> value / scale).toArray();
-        FittedLine line = FittedLine.of(t, error);
-        double largest = Arrays.stream(error).map(Math::abs).max().orElse(0);
-        boolean drifts = Math.abs(line.slope()) * outcome.endTime() > SECULAR * line.scatter();
-        double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps());
-        Kind kind = !outcome.whole() ? Kind.FAILED : largest < rounding ? Kind.ROUNDING
-                : exchanged > rounding * scale ? Kind.EXCHANGING : drifts ? Kind.SECULAR : Kind.BOUNDED;
-        return new Drift(setting, t, error, error[finite - 1], largest, line.slope(), kind, outcome);
+        double[] error = Arrays.stream(errors[1]).takeWhile(Double::isFinite).map(joules -> joules / scale).toArray();
+        return new Drift(setting, Arrays.copyOf(errors[0], error.length), error, outcome);
     }
 
     /** The largest kinetic plus stored energy of a very accurate run, as far as it came. */

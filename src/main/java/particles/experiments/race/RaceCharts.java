@@ -3,9 +3,7 @@ package particles.experiments.race;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.stream.IntStream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.race.Race.Lane;
@@ -19,7 +17,6 @@ import particles.view.Series.Mark;
 /** Charts and tables of a race. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
-    private static final String LEFT = "left the race";
 
     private RaceCharts() {
     }
@@ -29,7 +26,7 @@ public final class RaceCharts {
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static Chart energy(Result race) {
-        return DriftCharts.sizes(race.lanes().stream().map(Lane::drift).toList(), LEFT).named("energy-error");
+        return DriftCharts.sizes(race.lanes().stream().map(Lane::drift).toList()).named("energy-error");
     }
 
     /**
@@ -37,18 +34,11 @@ public final class RaceCharts {
      * @return the distance of each solver from the reference, over time; the root mean square over time at its end
      */
     public static Chart distance(Result race) {
-        List<Series> series = new ArrayList<>();
-        for (Lane lane : race.lanes()) {
-            List<Integer> known = IntStream.range(1, lane.distance().length)
-                    .filter(k -> lane.distance()[k] >= SMALLEST).boxed().toList();
-            series.add(Series.of(lane.look(), lane.label(), Mark.LINE, known, k -> race.times()[k],
-                    k -> lane.distance()[k]).ending(mean(lane)));
-            if (lane.left().isPresent() && !known.isEmpty()) {
-                int last = known.get(known.size() - 1);
-                series.add(Series.point(lane.look(), LEFT, Mark.FAILURES, race.times()[last], lane.distance()[last]));
-            }
-        }
-        return new Chart(Axis.TIME, Axis.log("distance from the reference", "m"), series);
+        return new Chart(Axis.TIME, Axis.log("distance from the reference", "m"), race.lanes().stream().flatMap(lane ->
+                DriftCharts.toItsEnd(Series.of(lane.look(), lane.label(), Mark.LINE, IntStream.range(1,
+                        lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST).boxed().toList(),
+                        k -> race.times()[k], k -> lane.distance()[k]).ending(mean(lane)), lane.drift().outcome()))
+                .toList());
     }
 
     /** @return the distance of a solver from the reference, such as "rms 0.12 m", or when it left the race */
@@ -84,7 +74,7 @@ public final class RaceCharts {
                 column("distance, rms (m)", 3, RaceCharts::rms),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),
-                column("largest energy error / scale", 2, lane -> lane.drift().largest()),
+                column("largest energy error / scale", 2, lane -> Math.abs(lane.drift().extreme())),
                 column("left the race at (s)", 3, lane -> lane.left().orElse(Double.NaN)),
                 column("what went wrong", lane -> lane.drift().outcome().failure().orElse(""))).withoutEmptyColumns();
     }

@@ -4,30 +4,25 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/**
- * The straight line that fits points best, by least squares.
- *
- * @param slope   the slope; 0 where all x are equal
- * @param scatter the root mean square distance of the points' y from the line
- */
-public record FittedLine(double slope, double scatter) {
+/** The straight line that fits points best, by least squares. */
+public final class FittedLine {
     /** The fewest points for a fitted power; two points always lie on a line. */
     public static final int FEWEST = 3;
 
-    /** @return the line through the points (x, y) */
-    public static FittedLine of(double[] x, double[] y) {
+    private FittedLine() {
+    }
+
+    /** @return the slope of the line through the points (x, y); 0 where all x are equal */
+    public static double slope(double[] x, double[] y) {
         double meanX = Arrays.stream(x).average().orElse(0);
         double meanY = Arrays.stream(y).average().orElse(0);
         double squares = 0;
         double products = 0;
-        double spread = 0;
         for (int k = 0; k < x.length; k++) {
             squares += (x[k] - meanX) * (x[k] - meanX);
             products += (x[k] - meanX) * (y[k] - meanY);
-            spread += (y[k] - meanY) * (y[k] - meanY);
         }
-        double slope = squares > 0 ? products / squares : 0;
-        return new FittedLine(slope, Math.sqrt(Math.max(0, spread - slope * products) / x.length));
+        return squares > 0 ? products / squares : 0;
     }
 
     /**
@@ -37,7 +32,7 @@ public record FittedLine(double slope, double scatter) {
      */
     public static <T> double exponent(List<T> points, ToDoubleFunction<? super T> x, ToDoubleFunction<? super T> y) {
         return points.size() < FEWEST ? Double.NaN
-                : of(points.stream().mapToDouble(x).map(StrictMath::log).toArray(),
-                points.stream().mapToDouble(y).map(StrictMath::log).toArray()).slope;
+                : slope(points.stream().mapToDouble(x).map(StrictMath::log).toArray(),
+                points.stream().mapToDouble(y).map(StrictMath::log).toArray());
     }
 }

@@ -123,8 +123,8 @@ public final class StiffGallery {
 
     /**
      * @param costs the costs of all solvers
-     * @return charts over the stiffness: evaluations for an error of 1 %, evaluations needed to be stable, and the rest
-     *         of the vibration for solvers that can be stable; at the curves of evaluations is the exponent with which they grow
+     * @return charts over the stiffness: evaluations for an error of 1 %, evaluations needed to be stable, and for
+     *         solvers that can be stable, the rest of the vibration; at the curves, the exponents of evaluations
      */
     public static List<Chart> charts(List<Cost> costs) {
         List<Chart> charts = new ArrayList<>(charts(costs, "evaluations for 1 % error of the swing", "",

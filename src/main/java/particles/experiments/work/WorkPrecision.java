@@ -180,7 +180,7 @@ public final class WorkPrecision {
                 .toArray();
         double[] y = finest.stream().mapToDouble(run -> Math.log(run.error)).toArray();
         double bend = (y[2] - y[1]) / (x[2] - x[1]) - (y[1] - y[0]) / (x[1] - x[0]);
-        return Math.abs(bend) <= (bySteps ? STRAIGHT : ROUGHLY_STRAIGHT) ? FittedLine.of(x, y).slope() : Double.NaN;
+        return Math.abs(bend) <= (bySteps ? STRAIGHT : ROUGHLY_STRAIGHT) ? FittedLine.slope(x, y) : Double.NaN;
     }
 
     /**

@@ -42,7 +42,8 @@ final class SeriesRenderer {
             renderer.setSeriesLinesVisible(k, mark.isCurve() || mark == Mark.FILL);
             renderer.setSeriesShapesVisible(k, mark != Mark.LINE && !mark.isWide());
             renderer.setSeriesPaint(k, dense || mark.isWide() ? ChartStyle.pale(colour) : colour);
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark.isWide() ? ChartStyle.BAND : ChartStyle.stroke(variant));
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark.isWide() ? ChartStyle.BAND
+                    : ChartStyle.stroke(variant));
             renderer.setSeriesShape(k, failed ? ChartStyle.FAILURE : ChartStyle.shape(variant));
             renderer.setSeriesFillPaint(k, open ? ground : colour);
             renderer.setSeriesOutlinePaint(k, open ? colour : ground);

@@ -1,6 +1,7 @@
 package particles.experiments.energy;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
@@ -10,7 +11,6 @@ import java.util.NoSuchElementException;
 import org.junit.jupiter.api.Test;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
-import particles.experiments.energy.EnergyDrift.Kind;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
 import particles.scene.SceneBuilder;
@@ -38,7 +38,7 @@ class EnergyDriftTest {
                     .amplitude(200);
             assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude,
                     drift.setting().solver().name());
-            assertEquals(Kind.SECULAR, drift.kind());
+            assertEquals(drift.end(), drift.extreme(), "it only grows");
         }
     }
 
@@ -52,10 +52,11 @@ class EnergyDriftTest {
     @Test
     void symplecticErrorsAreBoundedByTheStep() {
         for (Drift drift : compare(spring(0.125, 100), "symplectic-euler, verlet, yoshida4").drifts()) {
-            assertEquals(Kind.BOUNDED, drift.kind(), drift.setting().solver().name());
+            double rise = 100 * Math.abs(drift.slope() / drift.extreme());      // measured 0.01 or less
+            assertTrue(rise < 0.05, drift.setting().solver().name() + ": " + rise);
         }
         // of symplectic Euler E + h x v / 2 is constant: the error is at most h/4 of the scale 1/2
-        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler").drifts().get(0).largest(),
+        assertEquals(0.125 / 2, Math.abs(compare(spring(0.125, 100), "symplectic-euler").drifts().get(0).extreme()),
                 0.005);
     }
 
@@ -64,10 +65,10 @@ class EnergyDriftTest {
     void aBlowUpEndsWhenARunEndsIt() {
         SceneDescription chain = TestScenes.named("16-soft-chain");
         Drift drift = compare(chain, "euler").drifts().get(0);
-        assertEquals(Kind.FAILED, drift.kind());
+        assertFalse(drift.outcome().whole());
         assertEquals(26, drift.outcome().steps());
         assertEquals(drift.outcome().endTime(), drift.time()[drift.time().length - 1]);
-        assertTrue(drift.largest() > 1000 && drift.largest() < 3000, drift.toString());
+        assertTrue(drift.extreme() > 1000 && drift.extreme() < 3000, drift.toString());
         assertTrue(drift.outcome().failure().orElseThrow().startsWith("the numerical error is "), drift.toString());
         assertEquals(1.04, drift.outcome().endTime(), 1e-12);
     }
@@ -77,7 +78,6 @@ class EnergyDriftTest {
     void aRunThatComesToItsEndDoesNotStop() {
         Drift drift = compare(TestScenes.named("03").withDeltaT(0.0125), "euler").drifts().get(0);
         assertTrue(drift.outcome().whole() && drift.outcome().failure().isPresent());
-        assertEquals(Kind.EXCHANGING, drift.kind());
     }
 
     /**
@@ -91,11 +91,9 @@ class EnergyDriftTest {
         Comparison comparison = compare(ball.withSolver("rk4").withDeltaT(0.002).withDuration(1.5),
                 "rk4, verlet, symplectic-euler");
         for (Drift drift : comparison.drifts().subList(0, 2)) {
-            assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
-            assertTrue(drift.largest() < 2e-13, "measured 2.2e-14, now " + drift.largest());
+            assertTrue(Math.abs(drift.extreme()) < 2e-13, "measured 2.2e-14, now " + drift.extreme());
         }
         Drift euler = comparison.drifts().get(2);
-        assertEquals(Kind.EXCHANGING, euler.kind(), "impacts take energy, so that only sizes are compared");
         double mass = SceneBuilder.build(ball).system().getParticles().mass(0);
         // measured 1.000
         assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);
@@ -107,8 +105,8 @@ class EnergyDriftTest {
         SceneDescription fountain = TestScenes.named("27-fountain");
         Comparison comparison = compare(fountain.withSolver("rk4").withDeltaT(0.01).withDuration(2),
                 "rk4, backward-euler");
-        assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
-                + comparison.drifts().get(0).largest());
+        assertTrue(Math.abs(comparison.drifts().get(0).extreme()) < 2e-10, "measured 2.2e-11, now "
+                + comparison.drifts().get(0).extreme());
         // backward Euler takes m g^2 h^2 / 2 from a falling drop in a step of h; 150 births a second divide every two
         // steps of 0.01 s into 1/150, 1/300, 1/300 and 1/150 s; after t there are 150 t drops. Measured -0.7956 J
         double perSecond = 0.01 * 9.81 * 9.81 / 2 * 2 * (1 / 22_500.0 + 1 / 90_000.0) / 0.02;

@@ -5,11 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.MidpointSolver;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import particles.experiments.race.Race.FrameStates;
 import particles.experiments.race.Race.Lane;
@@ -52,6 +56,33 @@ class RaceTest {
         Result race = run(lasting(CHAIN, 3), "rk4, backward-euler, implicit-midpoint, radau", 30, NOBODY);
         assertTrue(race.work() > 300 && race.work() < 400, "measured 350, now " + race.work());
         assertEqualWork(race);
+    }
+
+    /** Midpoint, which counts its steps. */
+    public static final class Counted extends DESolver {
+        private static final AtomicInteger STEPS = new AtomicInteger();
+        private final DESolver midpoint = new MidpointSolver();
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            STEPS.incrementAndGet();
+            midpoint.stepState(source, deltaT);
+        }
+    }
+
+    /**
+     * The first run has a step for each four evaluations, 75; the second follows by proportion and costs what is
+     * wanted, and the number of steps that it asks for has been tried.
+     */
+    @Test
+    void proportionFindsTheStepInTwoRuns() {
+        SolverChoice counted = SolverChoice.of(Counted.class.getName());
+        int before = Counted.STEPS.get();
+        Match match = new EqualWork(lasting(CHAIN, 3), 300, 30).share(List.of(counted), (part, what) -> { }).matches()
+                .get(0);
+        assertEquals(75 + 150, Counted.STEPS.get() - before);
+        assertEquals(150, match.steps());
+        assertEquals(300, match.cost());
     }
 
     /** In longer steps its last kick does not converge, and the 101 evaluations of this failure fit any share. */

@@ -28,7 +28,8 @@ class StiffGalleryTest {
     void explicitCostGrowsAsTheRootOfTheStiffnessOverEightDecades(String solver, int evaluations) {
         List<Cost> sweep = sweep(solver, 8);
         assertEquals(9, sweep.size());
-        assertEquals(0.5, StiffGallery.exponent(sweep, Cost::toBeStable), 0.005);       // measured 0.5001 and 0.4991 before rounding
+        assertEquals(0.5, StiffGallery.exponent(sweep, Cost::toBeStable), 0.005);       // measured 0.5001 and 0.4991,
+        // before they are rounded
         assertEquals(0.5, StiffGallery.exponent(sweep, Cost::toOnePercent), 0.005);
         double steps = 10 * Math.sqrt(1 + 4e8) / SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
         assertEquals(1, sweep.get(8).toBeStable() / (steps * evaluations), 0.03);
@@ -65,7 +66,7 @@ class StiffGalleryTest {
         if (!sweep.get(0).solver().adaptive()) {
             assertEquals(0, StiffGallery.exponent(sweep, Cost::toBeStable), 0.05);      // measured 0.001 and 0.012
         }
-        assertEquals(0, StiffGallery.exponent(sweep, Cost::toOnePercent), 0.05);         // measured 1e-6, 0.007 and 0.021
+        assertEquals(0, StiffGallery.exponent(sweep, Cost::toOnePercent), 0.05);     // measured 1e-6, 0.007 and 0.021
     }
 
     /** At the cheapest step that is precise, far beyond the stiff spring's period. */
@@ -94,7 +95,8 @@ class StiffGalleryTest {
     void undampedVibrationGrowsAtAnyStep(String solver) {
         List<Cost> sweep = sweep(solver, 5);
         assertTrue(sweep.stream().allMatch(cost -> Double.isNaN(cost.toBeStable())));
-        List<Chart> charts = StiffGallery.charts(Stream.of(sweep, sweep("rk4", 5)).flatMap(List::stream).toList());
+        List<Chart> charts = StiffGallery.charts(Stream.of(sweep, sweep("rk4", 5)).flatMap(List::stream)
+                .toList());
         assertEquals(List.of("rk4"), charts.get(charts.size() - 1).series().stream().map(Series::name).toList());
         Chart never = charts.get(charts.size() - 2);
         assertEquals(List.of(solver), never.rows());
