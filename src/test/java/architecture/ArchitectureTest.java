@@ -112,7 +112,8 @@ class ArchitectureTest {
                                            particles.effects.springs particles.energy particles.experiments.stability
                                            particles.law particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view org.teavm
-            particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
+            particles.lab.browser:         deSolvers particles.effects particles.lab particles.scene particles.spec
+                                           org.teavm
             particles.lab.compile:         deSolvers.catalog particles.effects particles.effects.springs particles.lab
                                            particles.spec org.teavm
             particles.law:                 deSolvers
@@ -137,7 +138,7 @@ class ArchitectureTest {
             particles.scene:               deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.format particles.scene.parts particles.spec
-                                           particles.spec.messages particles.view
+                                           particles.spec.messages particles.view org.snakeyaml
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
                                            particles.law particles.scene.parts particles.spec particles.spec.messages
                                            particles.view

@@ -29,7 +29,7 @@ public final class PageParts {
     private static final List<String> OWN_MODULES = List.of("dom", "equations", "packing", "address", "gallery", "keys",
             "camera", "sky", "blobs", "glow", "marks", "opening", "structure", "tubes", "scenery", "surface", "trails",
             "view", "plots", "bars", "editor", "parameters", "saving", "settings", "panels", "phase", "nearest",
-            "player", "stability", "hand", "inspector", "lecture", "main");
+            "player", "stability", "hand", "builder", "inspector", "lecture", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     private PageParts() {

@@ -28,7 +28,7 @@ import particles.spec.messages.Wording;
  * Parses YAML 1.2 (core schema, so that 1e-3 is a number) into a tree of nodes with places. Deep nesting, aliases (ten
  * lines can expand to a billion values) and too many values are refused before the tree is built, in one line each.
  */
-final class YamlText {
+public final class YamlText {
     private static final int DEEPEST = 20;
     private static final int MOST_VALUES = 200_000;
     /** Before an escape on which the parser itself fails: at the end of the text, or with a code larger than an int. */
@@ -52,7 +52,7 @@ final class YamlText {
      * @param in    its name, and the list that receives problems
      * @return the root of its tree, or empty if a problem was reported
      */
-    static Optional<Node> compose(byte[] bytes, Reading in) {
+    public static Optional<Node> compose(byte[] bytes, Reading in) {
         return SourceText.decode(bytes, in).flatMap(text -> compose(text, in));
     }
 

@@ -26,6 +26,7 @@ export class Editor {
     clearTimeout(this.timer);
     this.timer = null;
     this.code.setValue(text);
+    this.code.clearHistory();
   }
 
   /** Takes what has been typed so far, without waiting for the pause. */
@@ -55,6 +56,17 @@ export class Editor {
         this.code.replaceRange(text, from, to, '+input');
       }
     }));
+  }
+
+  /** Another text in place of all, as one change; undo() takes the last change back. */
+  replace(text) {
+    this.code.replaceRange(text, {line: 0, ch: 0}, {line: this.code.lineCount(), ch: 0}, 'build');
+    this.settle();
+  }
+
+  undo() {
+    this.code.undo();
+    this.settle();
   }
 
   /** From now on the text can only be read. */

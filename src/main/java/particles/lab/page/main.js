@@ -1,6 +1,7 @@
 // Ties the page together: what is chosen goes to the worker that runs the compiled classes, what it tells is shown.
 import {Address} from './address.js';
 import {showBars} from './bars.js';
+import {Builder} from './builder.js';
 import {$} from './dom.js';
 import {showEquations} from './equations.js';
 import {Gallery} from './gallery.js';
@@ -42,7 +43,8 @@ const panels = new Panels(engine, panelsChanged, heard);
 const distances = new DistancePlot($('distances'));
 const nearest = new Nearest(engine, distances);
 const phase = new PhaseSpace(phasePlot, engine, question => { player.tell(question); panels.tell(question); },
-    () => panels.all.length, () => address.changed());
+    () => panels.all.length, () => { address.changed(); builder.show(); });
+const builder = new Builder(view, hand, phase, build, () => open(false), note);
 const film = new Film(view, linesOfFilm, note), rates = new Rates();
 const lecture = new Lecture({describe: beforeLecture, open: openState, ended: () => open(), resize: () => resize()});
 const address = new Address(describe, openState, note);
@@ -79,6 +81,10 @@ function openText(newText, settings = {}) {
   wanted = null;
   showText(0);
   phase.forget();
+  builder.turn(false);
+  if (view.camera) {
+    view.camera.turned = false;
+  }
   chosen = {...AS_IN_TEXT, ...settings};
   open(!STILL.matches);
 }
@@ -131,6 +137,13 @@ function edited() {
   text = editor.text;
   change({...(differs('solver', before, text) && {solver: '', tolerance: 0}),
     ...(differs('deltaT', before, text) && {deltaT: ''})});
+}
+
+/** Changes the first run's text, unless the picture is not of that text. */
+function build(how, ...what) {
+  showText(0);
+  editor.settle();
+  structure && good.text === text && player.tell({type: 'edit', text, how, what});
 }
 
 /** Starts anew with what is chosen; the run goes on if one was going. An answer that is known is not waited for. */
@@ -242,13 +255,15 @@ function shown(message) {
     return;
   }
   if (isNew) {
+    const camera = wanted?.camera ?? (builder.on ? view.camera.pose() : view.camera?.describe());
     view.open(facts, structure, message.state);
-    view.camera?.restore(wanted?.camera);
+    view.camera?.restore(camera);
   }
   if (message.structure) {
     view.setStructure(structure);
   }
   view.show(message);
+  builder.on && player.playing && builder.turn(false);
   if (isNew) {
     view.draw();                        // before lists and plots, which take as long again
     phase.start(facts, structure, wanted, good);
@@ -335,6 +350,7 @@ const hear = ({data}) => ({
   frame: () => shown(data),
   table: () => save(nameOfRun() + '.csv', data.table),
   phase: () => phase.answer(0, data),
+  edited: () => editor.replace(data.text),
   paused: () => { player.waiting = Infinity; },
   particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => player.fail(data.message)
@@ -355,7 +371,8 @@ $('copyLink').onclick = () => {
   editor.settle();
   address.copy();
 };
-listen({' ': () => player.startOrPause(), ArrowRight: () => player.step(), ArrowLeft: () => player.stepBack(),
+$('undo').onclick = () => editor.undo();
+listen({'^z': () => editor.undo(), ' ': () => player.startOrPause(), ArrowRight: () => player.step(), ArrowLeft: () => player.stepBack(),
   f: fullScreen, l: () => lecture.toggle(), PageDown: () => lecture.on && lecture.turn(1),
   PageUp: () => lecture.on && lecture.turn(-1)});
 $('arrows').onchange = () => view.setArrows($('arrows').checked);
@@ -383,7 +400,7 @@ function linesOfFilm() {
 
 offer(nameOfRun, film, energy, phasePlot);
 $('saveTable').onclick = () => player.tell({type: 'table', energies: facts.energies});
-$('savePicture').disabled = $('film').disabled = !view.camera;          // without WebGL there is none
+$('savePicture').disabled = $('film').disabled = $('build').disabled = !view.camera;          // without WebGL there is none
 
 function showEditor(on) {
   $('editor').hidden = !on;

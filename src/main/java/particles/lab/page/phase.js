@@ -73,14 +73,15 @@ export class PhaseSpace {
     $('particle').replaceChildren(new Option(TEXTS.noParticle, ''));
   }
 
-  /** The particles that can move; in a scene with births they come and go. */
+  /** The particles, first one that can move; in a scene with births they come and go. */
   list(structure) {
     const before = this.id, first = this.preferred?.[0];
-    const ids = structure.ids.filter((id, i) => !structure.fixed[i]);
-    this.others = structure.ids.slice(0, MOST_OTHERS);
-    if (ids.length && ids.join() !== [...$('particle').options].map(option => option.value).join()) {
+    const {ids, fixed} = structure;
+    this.others = ids.slice(0, MOST_OTHERS);
+    if (ids.join() !== [...$('particle').options].map(option => option.value).join()) {
       $('particle').replaceChildren(...ids.map(id => new Option(id)));
-      $('particle').value = ids.includes(before) ? before : ids.includes(first) ? first : ids[0];
+      $('particle').value = ids.includes(before) ? before
+          : ids.includes(first) ? first : ids.find((id, i) => !fixed[i]);
       if (before !== this.id) {
         this.renew();
       }

@@ -3,7 +3,9 @@ const TEXTS = {
   // in the elements with these ids or, where they have labels, in those
   elements: {scene: 'Scene', showGallery: 'Pictures of scenes', startLecture: 'Lecture', copyLink: 'Copy link',
     showEditor: 'Scene file', slides: 'Slide', endLecture: 'End', closeGallery: 'Close', time: 'Time', start: 'Start',
-    step: 'One step', restart: 'From the start', speed: 'Speed', atEnd: 'At the end', fullScreen: 'Full screen',
+    step: 'One step', restart: 'From the start', speed: 'Speed', atEnd: 'At the end', build: 'Build', toggleFixed: 'Fix or free', remove: 'Delete', undo: 'Undo',
+    between: 'From mass to mass', buildingHelp: 'Click to place or choose a mass; drag from one to another to join them.'
+      + ' Without a mouse, edit the scene file.', fullScreen: 'Full screen',
     arrows: 'velocities', forces: 'forces', labels: 'names', saving: 'Save picture, plots, table or film',
     savePicture: 'Picture', saveEnergy: 'Energy plot', savePhase: 'Phase plot', saveTable: 'Table (CSV)', film: 'Film',
     stepsName: 'Steps', evaluationsName: 'Evaluations', paceName: 'Simulated time per second', secondsName: 'CPU time',
@@ -20,7 +22,7 @@ const TEXTS = {
     distancesHelp: 'Root mean squares over all particles, at 201 times, without pulls.', editorName: 'Scene file',
     textOf: 'of', save: 'Save', open: 'Open', licences: 'Licences of the software in this page'},
   choices: {speed: ['1/10', '1/4', '1/2', 'real time', '2 times', '5 times'],
-    atEnd: ['go on', 'begin again', 'stop'], tolerance: ['the scene\'s']},
+    atEnd: ['go on', 'begin again', 'stop'], between: ['a spring', 'a muscle'], tolerance: ['the scene\'s']},
   ariaLabel: {lecture: 'Lecture', previousSlide: 'Previous slide', nextSlide: 'Next slide', gallery: 'Scenes',
     picture: 'The scene', view: 'The scene in three dimensions', settings: 'Solver and time step',
     deltaTNumber: 'deltaT in seconds', equations: 'Equations', energy: 'Plot of the energies over time',
@@ -42,6 +44,8 @@ const TEXTS = {
   withoutPulls: 'The run up to this moment was computed anew, without your earlier pulls.',
   longStep: seconds => `A step is being computed, for ${seconds} s now`,
   longSteps: (count, seconds) => `; the ${count} before took ${seconds} s each.`,
+
+  ofShape: id => id + ' is one of a shape; the scene file says which of them are fixed.',
 
   // solver and time step
   ownSolver: 'A solver of your own.',

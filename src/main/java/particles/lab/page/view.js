@@ -11,7 +11,7 @@ import {Trails} from './trails.js';
 import {Copies, Springs} from './tubes.js';
 
 const LABEL_GAP = 6;                    // pixels
-const FEW_BALLS = 100;
+const FEW_BALLS = 100, CHOSEN = '#009e73';
 const SHADOWS = 4.5, SHADOW_PIXELS = 1024;      // the width of the part with shadows, in heights of the picture
 const ZOOM = 1.5;                       // a change of that height from which they are placed anew
 
@@ -217,7 +217,8 @@ class View {
       const size = this.radius(i);
       this.matrix.makeScale(size, size, size).setPosition(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
       (look.kind === 'glow' && !fixed[i] ? this.spots : this.balls).add(this.matrix,
-          mark?.colour !== undefined ? this.colour.set(mark.colour)
+          this.structure.ids[i] === this.chosen ? this.colour.set(CHOSEN)
+          : mark?.colour !== undefined ? this.colour.set(mark.colour)
           : this.particleColour(look, fixed[i], (time - births[i]) / lives[i]));
     }
     if (look.kind === 'blobs') {
@@ -298,14 +299,14 @@ class View {
     return this.camera.onScreen(this.moment.state, i, seconds);
   }
 
-  /** The particle that can move and is seen nearest to a place of the window, within so many pixels; -1 if none is. */
-  nearest({clientX, clientY}, reach) {
+  /** The particle that can move, or any, seen nearest to a place of the window, within so many pixels; -1 if none is. */
+  nearest({clientX, clientY}, reach, any) {
     const bounds = this.element.getBoundingClientRect();
     let nearest = -1, least = reach;
     this.structure?.ids.forEach((id, i) => {
       const [x, y] = this.onScreen(i) ?? [Infinity, Infinity];
       const distance = Math.hypot(x - clientX + bounds.left, y - clientY + bounds.top);
-      if (distance < least && !this.structure.fixed[i]) {
+      if (distance < least && (any || !this.structure.fixed[i])) {
         [nearest, least] = [i, distance];
       }
     });
@@ -313,12 +314,30 @@ class View {
   }
 
   /** The point under a place of the window that is as far away as a particle: coordinates (m). */
-  pointUnder({clientX, clientY}, particle) {
+  pointUnder(place, particle) {
+    return this.unproject(place, new THREE.Vector3().fromArray(this.moment.state, 6 * particle)
+        .project(this.camera.camera).z);
+  }
+
+  unproject({clientX, clientY}, depth) {
     const bounds = this.element.getBoundingClientRect();
-    const point = new THREE.Vector3().fromArray(this.moment.state, 6 * particle).project(this.camera.camera);
-    point.x = 2 * (clientX - bounds.left) / bounds.width - 1;
-    point.y = 1 - 2 * (clientY - bounds.top) / bounds.height;
-    return point.unproject(this.camera.camera).toArray();
+    return new THREE.Vector3(2 * (clientX - bounds.left) / bounds.width - 1,
+        1 - 2 * (clientY - bounds.top) / bounds.height, depth).unproject(this.camera.camera).toArray();
+  }
+
+  /** The point under a place of the window in the plane x, y or z = the particles' mean that faces the camera most. */
+  pointInPlane(place) {
+    const from = this.unproject(place, -1), to = this.unproject(place, 1);
+    const facing = this.camera.camera.getWorldDirection(new THREE.Vector3()).toArray().map(Math.abs);
+    const axis = facing.indexOf(Math.max(...facing)), column = this.moment.state.filter((x, k) => k % 6 === axis);
+    const mean = column.reduce((sum, x) => sum + x / column.length, 0);
+    return from.map((x, k) => x + (to[k] - x) * (mean - from[axis]) / (to[axis] - from[axis]));
+  }
+
+  /** Marks a particle by its colour. */
+  choose(id) {
+    this.chosen = id;
+    this.changed = this.stale = true;
   }
 
   /** Gives back what the graphics processor holds for it. */

@@ -203,6 +203,8 @@ const commands = {
     chosen = message;
     postMessage({...message, points: columns(-1)});
   },
+  edit: ({text, how, what}) => postMessage({type: 'edited',
+    text: {place, join, toggleFixed, remove}[how](text, ...what)}),
   table: ({energies}) => postMessage({type: 'table', table: tableOfRun(energies)}),
   particle: ({id}) => postMessage({type: 'particle', id, ...JSON.parse(engine.particle(id))}),
   region: message => postMessage({...message, values: engine.region(message.solver, message.left, message.bottom,
