@@ -58,7 +58,7 @@ export class Address {
     const done = link === null ? TEXTS.tooLong
         : await navigator.clipboard?.writeText(link).then(() => TEXTS.copied, () => null)
         ?? TEXTS.notCopied;
-    const file = make('button', {type: 'button', textContent: TEXTS.saveState, onclick: () => save('lab.json',
+    const file = make('button', {textContent: TEXTS.saveState, onclick: () => save('lab.json',
         new Blob([JSON.stringify(this.describe())], {type: 'application/json'}))});
     const embed = make('input', {type: 'text', readOnly: true, ariaLabel: TEXTS.toEmbed,
       value: `<iframe src="${link}" width="1000" height="700"></iframe>`});

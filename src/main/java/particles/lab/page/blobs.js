@@ -18,7 +18,7 @@ export class Blobs {
   /** The surface of balls of a radius (m) around points; a pixel at the origin is so wide (m). */
   place(points, radius, pixel, origin) {
     const cell = Math.min(Math.max(radius / 2, FINEST * pixel), 0.7 * radius);
-    Object.assign(this, {cell, numbers: new Map(), sums: [], cells: new Map(), places: [], normals: []});
+    Object.assign(this, {cell, numbers: new Map(), sums: [], cells: new Map(), places: []});
     for (const point of points) {
       this.add(point.map((x, axis) => (x - origin[axis]) / cell + MIDDLE), REACH * radius / cell);
     }
@@ -37,11 +37,11 @@ export class Blobs {
     geometry.dispose();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(this.places.map((x, i) =>
         (x - MIDDLE) * cell + origin[i % 3]), 3));
-    geometry.setAttribute('normal', new THREE.Float32BufferAttribute(this.normals, 3));
     geometry.setIndex(corners);
+    geometry.computeVertexNormals();
   }
 
-  /** Adds a ball's field and its gradient to the nodes nearer than its reach; lengths are in cells from now on. */
+  /** Adds a ball's field to the nodes nearer than its reach; lengths are in cells from now on. */
   add([x, y, z], reach) {
     if (![x, y, z].every(value => value > reach + 1 && value < 2 * MIDDLE - reach - 2)) {
       return;                           // out of the picture
@@ -52,16 +52,13 @@ export class Blobs {
         for (let k = Math.ceil(z - reach); k <= z + reach; k++) {
           const rest = 1 - ((i - x) ** 2 + (j - y) ** 2 + (k - z) ** 2) / square;
           if (rest > 0) {
-            const key = i * STEPS[0] + j * STEPS[1] + k, slope = -6 * rest * rest / square;
+            const key = i * STEPS[0] + j * STEPS[1] + k;
             let at = numbers.get(key);
             if (at === undefined) {
               numbers.set(key, at = sums.length);
-              sums.push(0, 0, 0, 0);
+              sums.push(0);
             }
             sums[at] += rest ** 3;
-            sums[at + 1] += slope * (i - x);
-            sums[at + 2] += slope * (j - y);
-            sums[at + 3] += slope * (k - z);
           }
         }
       }
@@ -80,14 +77,13 @@ export class Blobs {
     corners.push(p, q, r, p, r, s);
   }
 
-  /** A cell's vertex: the mean of where the surface crosses its edges, moved onto the surface by a step of Newton's. */
+  /** A cell's vertex: the mean of where the surface crosses its edges. */
   vertex(cell) {
     const known = this.cells.get(cell), place = [0, 0, 0];
     if (known !== undefined) {
       return known;
     }
-    const nodes = CORNERS.map(corner => this.numbers.get(cell + corner));
-    const values = nodes.map(at => this.sums[at] ?? 0);
+    const values = CORNERS.map(corner => this.sums[this.numbers.get(cell + corner)] ?? 0);
     let crossings = 0;
     for (let corner = 0; corner < 8; corner++) {
       for (let axis = 0; axis < 3; axis++) {
@@ -98,21 +94,9 @@ export class Blobs {
         }
       }
     }
-    const [x, y, z] = place.map(sum => sum / crossings), sum = [0, 0, 0, 0];
-    for (let corner = 0; corner < 8; corner++) {
-      const d = [x - (corner & 1), y - (corner >> 1 & 1), z - (corner >> 2)], at = nodes[corner];
-      const weight = d.reduce((product, part) => product * (1 - Math.abs(part)), 1);
-      for (let k = 0; at !== undefined && k < 4; k++) {
-        sum[k] += weight * (this.sums[at + k] + (k ? 0 : d.reduce((half, part, axis) =>
-            half + part * this.sums[at + 1 + axis] / 2, 0)));
-      }
-    }
-    const [value, ...gradient] = sum, length = Math.hypot(...gradient) || 1;
-    const way = Math.max(-1, Math.min(1, (LEVEL - value) / length));
     const base = [cell >> 20, cell >> 10 & 1023, cell & 1023];
     this.cells.set(cell, this.places.length / 3);
-    this.places.push(...[x, y, z].map((part, axis) => base[axis] + part + way * gradient[axis] / length));
-    this.normals.push(...gradient.map(part => -part / length));
+    this.places.push(...place.map((sum, axis) => base[axis] + sum / crossings));
     return this.places.length / 3 - 1;
   }
 }

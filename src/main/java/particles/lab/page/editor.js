@@ -89,7 +89,7 @@ export class Editor {
     this.code.eachLine(line => this.code.removeLineClass(line, 'background', 'wrong-line'));
     $('errors').replaceChildren(...errors.map(error => {
       const place = /^[^:]*:(\d+)(?::(\d+))?: /.exec(error);
-      const button = make('button', {type: 'button', textContent: error});
+      const button = make('button', {textContent: error});
       if (place) {
         const line = place[1] - 1, column = (place[2] ?? 1) - 1;
         this.code.addLineClass(line, 'background', 'wrong-line');

@@ -10,7 +10,7 @@ export class Gallery {
     $('scene').append(...scenes.map(scene => new Option(short(scene), scene.dataset.name)));
     $('scene').onchange = () => chosen($('scene').value);
     $('pictures').append(...scenes.map(scene => {
-      const button = make('button', {type: 'button'}), picture = new Image(320, 180);
+      const button = make('button'), picture = new Image(320, 180);
       picture.alt = '';
       picture.src = scene.dataset.picture ? 'data:image/jpeg;base64,' + scene.dataset.picture : 'data:,';
       picture.hidden = !scene.dataset.picture;

@@ -6,13 +6,8 @@ export class Marks {
   constructor(element) {
     this.element = element;
     this.labels = [];
-    const drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    this.arrows = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    drawing.setAttribute('class', 'arrows');
-    this.pull = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    this.pull.setAttribute('class', 'pull');
-    drawing.append(this.arrows, this.pull);
-    element.append(drawing);
+    element.insertAdjacentHTML('beforeend', '<svg class="arrows"><path/><path class="pull"/></svg>');
+    [this.arrows, this.pull] = element.lastChild.children;
   }
 
   /**
@@ -63,7 +58,7 @@ export class Marks {
 }
 
 /** A line with a head at its end, as an SVG path. */
-function arrow(from, to) {
+export function arrow(from, to) {
   const length = from && to ? Math.hypot(to[0] - from[0], to[1] - from[1]) : 0;
   if (!(length > 1 && length < LONGEST)) {
     return '';

@@ -101,7 +101,7 @@ class Panel {
     solver.onchange = () => this.choose({solver: solver.value});
     this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
     this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
-    const remove = make('button', {type: 'button', textContent: TEXTS.remove, onclick: () => this.panels.remove(this)});
+    const remove = make('button', {textContent: TEXTS.remove, onclick: () => this.panels.remove(this)});
     this.error = make('p');
     this.error.setAttribute('role', 'alert');
     const name = make('label', {textContent: TEXTS.solverOf(this.name) + ' '});
