@@ -38,6 +38,7 @@ export class Blobs {
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(this.places.map((x, i) =>
         (x - MIDDLE) * cell + origin[i % 3]), 3));
     geometry.setIndex(corners);
+    geometry.deleteAttribute('normal');         // there were fewer or more
     geometry.computeVertexNormals();
   }
 

@@ -3,19 +3,15 @@ import {$} from './dom.js';
 
 export class Builder {
   /**
-   * view: the picture; hand: what people do on it; phase: knows the chosen particle; edit(how, ...what): changes the
-   * text; begin(): shows the run's start; tell(text): says something to the person
+   * view: the picture; hand: what people do on it, with a builder while they build; phase: knows the chosen particle;
+   * edit(how, ...what): changes the text; begin(): shows the run's start; tell(text): says something to the person
    */
   constructor(view, hand, phase, edit, begin, tell) {
     Object.assign(this, {view, hand, phase, edit, begin});
-    $('build').onclick = () => this.turn(!this.on);
+    $('build').onclick = () => this.turn(!hand.builder);
     for (const change of ['toggleFixed', 'remove']) {
       $(change).onclick = () => phase.id.endsWith(']') ? tell(TEXTS.ofShape(phase.id)) : edit(change, phase.id);
     }
-  }
-
-  get on() {
-    return this.hand.builder === this;
   }
 
   turn(on) {
@@ -26,9 +22,9 @@ export class Builder {
     on && this.begin();
   }
 
-  /** Marks the chosen particle. From now on nothing but people moves the camera. */
+  /** Marks the chosen particle. */
   show() {
-    this.view.choose(this.on && this.phase.id);
+    this.view.choose(this.hand.builder && this.phase.id);
   }
 
   place(event) {

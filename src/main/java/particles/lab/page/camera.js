@@ -108,12 +108,7 @@ export class SceneCamera {
     }
   }
 
-  /** Where a particle is seen, or will be at its present velocity: pixels, or null behind the camera. */
-  onScreen(state, i, seconds = 0) {
-    return this.placeOf(pointAhead(state, i, seconds).toArray());
-  }
-
-  /** Where a point is seen. */
+  /** Where a point is seen: pixels, or null behind the camera. */
   placeOf(point) {
     const p = new THREE.Vector3(...point).project(this.camera);
     return p.z > 1 ? null : [(p.x + 1) / 2 * this.element.clientWidth, (1 - p.y) / 2 * this.element.clientHeight];
@@ -148,7 +143,8 @@ export class SceneCamera {
   }
 }
 
-const pointAhead = (state, i, seconds) => new THREE.Vector3().fromArray(state, 6 * i)
+/** Where a particle is, or will be at its present velocity. */
+export const pointAhead = (state, i, seconds) => new THREE.Vector3().fromArray(state, 6 * i)
     .addScaledVector(new THREE.Vector3().fromArray(state, 6 * i + 3), seconds);
 
 /** All particles, the planes below them and balls; with gravity, also where particles can swing from fixed ones. */

@@ -82,9 +82,6 @@ function openText(newText, settings = {}) {
   showText(0);
   phase.forget();
   builder.turn(false);
-  if (view.camera) {
-    view.camera.turned = false;
-  }
   chosen = {...AS_IN_TEXT, ...settings};
   open(!STILL.matches);
 }
@@ -111,8 +108,7 @@ function openState(state) {
   }
   $('scene').value = name ?? $('scene').value;
   $('equalWork').checked = Boolean(state.equalWork);
-  panels.set((state.panels ?? []).map(({solver, deltaT, text}) => ({solver: String(solver), deltaT: String(deltaT),
-    ...(text !== undefined && {text: String(text)})})));
+  panels.set(state.panels ?? []);
   openText(state.text ?? own, {solver: String(state.solver ?? ''), deltaT: String(state.deltaT ?? ''),
     tolerance: Number(state.tolerance) || 0, set: String(state.set ?? '')});
   wanted = state;
@@ -255,7 +251,7 @@ function shown(message) {
     return;
   }
   if (isNew) {
-    const camera = wanted?.camera ?? (builder.on ? view.camera.pose() : view.camera?.describe());
+    const camera = hand.builder ? view.camera.pose() : wanted?.camera;
     view.open(facts, structure, message.state);
     view.camera?.restore(camera);
   }
@@ -263,7 +259,7 @@ function shown(message) {
     view.setStructure(structure);
   }
   view.show(message);
-  builder.on && player.playing && builder.turn(false);
+  hand.builder && player.playing && builder.turn(false);
   if (isNew) {
     view.draw();                        // before lists and plots, which take as long again
     phase.start(facts, structure, wanted, good);

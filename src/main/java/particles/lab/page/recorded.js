@@ -13,14 +13,7 @@ for (const k of RECORDED.structureOf) {
 }
 
 /** The latest moment that is not after a time, or the first. */
-function find(time) {
-  let low = 0, high = last;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    [low, high] = times[middle] <= time ? [middle, high] : [low, middle - 1];
-  }
-  return low;
-}
+const find = time => Math.max(0, times.findLastIndex(one => one <= time));
 
 const particle = () => '{}', drag = () => {}, setEndless = () => {};
 
@@ -35,7 +28,7 @@ function advance(time) {
 }
 
 function look(time) {
-  at = find(time);
+  advance(time);
   now = times[at];
 }
 
@@ -58,10 +51,7 @@ function state() {
 }
 
 /** Rows of what read(k) gives, after each moment later than a time. */
-function rows(time, read) {
-  const from = times.findIndex(one => one > time);
-  return Float32Array.from(times.slice(from < 0 ? times.length : from).flatMap((one, k) => read(from + k)));
-}
+const rows = (time, read) => Float32Array.from(times.flatMap((one, k) => one > time ? read(k) : []));
 
 const states = time => rows(time, k => RECORDED.structureOf[k] === structureNumber() ? [times[k], ...moments[k].state]
     : []);

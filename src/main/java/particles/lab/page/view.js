@@ -1,7 +1,7 @@
 // The scene in three dimensions, drawn as in the frames; the camera, lines, marks and scenery have their own modules.
 import * as THREE from 'three';
 import {Blobs} from './blobs.js';
-import {SceneCamera} from './camera.js';
+import {SceneCamera, pointAhead} from './camera.js';
 import {glow} from './glow.js';
 import {Marks} from './marks.js';
 import {Ground, scenery} from './scenery.js';
@@ -156,7 +156,6 @@ class View {
 
   setStructure(structure) {
     this.structure = structure;
-    this.ball = this.radiusOfBalls(structure);
     const {inSurface, hidden} = this, pairs = structure.springs, look = this.facts.look;
     this.isShown = structure.ids.map((id, i) => look.particles === 'always'
         || look.particles === 'beside_surfaces' && !inSurface.has(i));
@@ -296,7 +295,7 @@ class View {
 
   /** Where a particle is seen, or will be at its velocity; null behind the camera. */
   onScreen(i, seconds = 0) {
-    return this.camera.onScreen(this.moment.state, i, seconds);
+    return this.camera.placeOf(pointAhead(this.moment.state, i, seconds));
   }
 
   /** The particle that can move, or any, seen nearest to a place of the window, within so many pixels; -1 if none is. */
