@@ -93,7 +93,7 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems
-                                           particles.experiments.runs particles.experiments.stability particles.view
+                                           particles.experiments.runs particles.view org.hipparchus
             particles.experiments.phase:   deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene.format particles.view
             particles.experiments.race:    deSolvers.text particles particles.energy particles.experiments.energy

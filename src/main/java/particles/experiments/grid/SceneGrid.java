@@ -204,8 +204,8 @@ public final class SceneGrid {
 
     private static double stable(SceneDescription scene) {
         Spectrum spectrum = SceneStability.spectrum(scene);
-        return spectrum.decaying().isEmpty() ? Double.NaN : SceneStability.limits(scene, spectrum,
-                List.of(SolverChoice.of(scene.solver())), (part, what) -> { }).get(0).deltaT();
+        return spectrum.decaying().isEmpty() ? Double.NaN : SceneStability.limits(spectrum,
+                scene.deltaT(), List.of(SolverChoice.of(scene.solver())), (part, what) -> { }).get(0).deltaT();
     }
 
     /** The reference for all points that differ in the solver or its step only; empty if it fails. */

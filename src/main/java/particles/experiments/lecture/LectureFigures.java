@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import particles.experiments.stability.StabilityPolynomial;
+import org.hipparchus.complex.Complex;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -43,7 +43,7 @@ public final class LectureFigures {
     /**
      * The parameters of a run.
      *
-     * @param solver its name in the catalogue
+     * @param solver the name of one of the slides' methods
      * @param deltaT the time step (s)
      * @param steps  the number of steps
      */
@@ -56,12 +56,12 @@ public final class LectureFigures {
      * @param figure      the run
      * @param amplitude   the distance of the last state from the origin, divided by that of the first
      * @param phaseError  the angle by which it is ahead of the exact solution (rad); negative if it lags
-     * @param theory      R(ih), of which |R|<sup>N</sup> and N (arg R - h) are the same; NaN where it is not known
+     * @param theory      the complex factor R(ih) of a step: |R|<sup>N</sup> and N (arg R - h) are the same
      * @param evaluations the number of evaluations of the derivative
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
-    public record Result(Figure figure, double amplitude, double phaseError, StabilityPolynomial theory,
+    public record Result(Figure figure, double amplitude, double phaseError, Complex theory,
             long evaluations, double[] x, double[] v) {
     }
 
@@ -89,9 +89,19 @@ public final class LectureFigures {
             turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
         }
         return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
-                turned - figure.steps() * figure.deltaT(),
-                StabilityPolynomial.of(SolverCatalog.info(figure.solver()), figure.deltaT()),
-                oscillator.getEvaluations(), x, v);
+                turned - figure.steps() * figure.deltaT(), factor(figure), oscillator.getEvaluations(), x, v);
+    }
+
+    /**
+     * R(ih), by which a step of h on z' = iz multiplies z = x - iv, which turns as x'' = -x does. A method with as many
+     * stages as its order has the Taylor series of e^(ih) up to that.
+     */
+    private static Complex factor(Figure figure) {
+        Complex r = Complex.ONE;
+        for (int k = SolverCatalog.info(figure.solver()).order(); k > 0; k--) {
+            r = new Complex(0, figure.deltaT() / k).multiply(r).add(1);
+        }
+        return r;
     }
 
     /**
@@ -147,12 +157,15 @@ public final class LectureFigures {
                 column("solver", result -> result.figure().solver()),
                 column("deltaT (s)", 6, result -> result.figure().deltaT()),
                 column("steps", result -> result.figure().steps()), column("evaluations", Result::evaluations),
-                column("amplitude", 7, Result::amplitude),
-                column("|R|^N", 7, result -> result.theory().amplitude(result.figure().steps())),
+                column("amplitude", 7, Result::amplitude), column("|R|^N", 7, result -> power(result, 1)),
                 column("energy", 8, result -> result.amplitude() * result.amplitude()),
-                column("|R|^(2N)", 8, result -> StrictMath.pow(result.theory().amplitude(result.figure().steps()), 2)),
+                column("|R|^(2N)", 8, result -> power(result, 2)),
                 column("phase error (rad)", 6, Result::phaseError),
-                column("N (arg R - h)", 6, result -> result.theory().phaseError(result.figure().steps(),
-                        result.figure().deltaT())));
+                column("N (arg R - h)", 6, result -> result.figure().steps() * (result.theory().getArgument()
+                        - result.figure().deltaT())));
+    }
+
+    private static double power(Result result, int exponent) {
+        return StrictMath.pow(result.theory().norm(), exponent * result.figure().steps());
     }
 }

@@ -8,6 +8,7 @@ import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;
 import particles.experiments.runs.SolverChoice;
+import particles.experiments.stability.Spectrum.Mode;
 
 /**
  * Measures the amplification of a solver's real code: the factor |R| by which one step multiplies the solution of the
@@ -26,8 +27,9 @@ import particles.experiments.runs.SolverChoice;
  * @param maker     creates solvers without memory
  * @param ofSprings whether the method needs positions and velocities, and is tried on springs
  * @param manySteps whether it uses earlier steps, so that the growth over many is measured
+ * @param noise     growth that is none: what a measurement may be off
  */
-public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean manySteps) {
+public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean manySteps, double noise) {
     /** A step of deltaT omega = 0.1, which any iteration can do. */
     private static final double SOFT = 0.01;
     /** Growth below this is round-off or Newton's tolerance. */
@@ -50,7 +52,7 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
         return new Amplification(() -> {
             solver.reset();
             return solver;
-        }, info.secondOrder(), info.family() == Family.MULTISTEP);
+        }, info.secondOrder(), info.family() == Family.MULTISTEP, 0);
     }
 
     /** @return the amplification of a solver, of your own on springs */
@@ -65,7 +67,7 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
      */
     public static Amplification ofOwn(Supplier<DESolver> maker) {
         maker.get().stepState(LinearPair.spring(SOFT, 0), 1);
-        return new Amplification(maker, true, false);
+        return new Amplification(maker, true, false, 0);
     }
 
     /**
@@ -78,20 +80,19 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
     }
 
     /**
-     * Measures a step on a damped spring, also if its two eigenvalues are not conjugates.
-     *
-     * @param stiffness deltaT&sup2; omega&sup2;
-     * @param damping   deltaT c
-     * @return the larger modulus of the two eigenvalues of a step on x'' = -omega&sup2; x - c x'
+     * @param mode   a mode
+     * @param deltaT the time step (s)
+     * @return the factor by which a step multiplies it; on springs, of two real modes of one spring the larger factor
      */
-    double ofSpring(double stiffness, double damping) {
-        return of(LinearPair.spring(stiffness, damping));
+    double of(Mode mode, double deltaT) {
+        return ofSprings ? of(LinearPair.spring(deltaT * deltaT * mode.stiffness(), deltaT * mode.damping()))
+                : at(deltaT * mode.re(), deltaT * mode.im());
     }
 
     private double of(LinearPair source) {
         try {
             double growth = manySteps ? rate(source) : StepMatrix.of(maker.get(), source, 1, 1, 1).radius();
-            return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth;
+            return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth - noise;
         } catch (NullPointerException | IndexOutOfBoundsException e) {
             throw e;                                    // a mistake, and no refusal
         } catch (RuntimeException e) {                  // by whatever the solver refuses the step

@@ -1,6 +1,5 @@
 package particles.experiments.stability;
 
-import deSolvers.linear.Gmres;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -15,8 +14,7 @@ import particles.experiments.stability.Spectrum.Mode;
 
 /**
  * The eigenvalues of a system: Arnoldi's iteration on the whole Jacobian. It finds the outermost eigenvalues first, and
- * all of a small system. Without damping, drag or reactions the fastest vibration limits all steps, and the iteration
- * ends when it is known.
+ * all of a small system.
  *
  * <p>Source: W. E. Arnoldi, Quart. Appl. Math. 9 (1951), 17.
  */
@@ -33,10 +31,6 @@ final class Arnoldi {
     private static final int MOST_DIRECTIONS = 300;
     private static final int FEWEST_DIRECTIONS = 12;
     private static final double BREAKDOWN = 1e-13;
-    /** The relative residual at which the fastest vibration is known. */
-    private static final double KNOWN = 1e-9;
-    /** Fewer directions are not looked at; of more, those after which twice as many would follow. */
-    private static final int FIRST_LOOK = 8;
 
     private final Linearisation linear;
     /** A direction in each row. */
@@ -54,10 +48,11 @@ final class Arnoldi {
         basis.reshape(0, size, true);
     }
 
-    static Spectrum spectrum(Linearisation linear) {
+    /** @return the modes of a system in which something can move, by falling |lambda| */
+    static List<Mode> modes(Linearisation linear) {
         Arnoldi arnoldi = new Arnoldi(linear);
         arnoldi.iterate();
-        return arnoldi.modes(ZERO);
+        return arnoldi.modes();
     }
 
     private void iterate() {
@@ -79,9 +74,7 @@ final class Arnoldi {
                 }
             }
             next = NormOps_DDRM.normF(image);
-            boolean look = linear.isConservative() && column >= FIRST_LOOK && Integer.bitCount(column) == 1;
-            if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest
-                    || look && modes(1).error() <= KNOWN) {
+            if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest) {
                 return;
             }
             hessenberg.set(column + 1, column, next);
@@ -89,8 +82,7 @@ final class Arnoldi {
         }
     }
 
-    /** @param least the least |lambda| of interest, as a part of the largest */
-    private Spectrum modes(double least) {
+    private List<Mode> modes() {
         int m = basis.numRows;
         double scale = NormOps_DDRM.normF(hessenberg);          // the decomposition tells zeros by their size
         DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
@@ -100,24 +92,19 @@ final class Arnoldi {
         List<Complex> values = Arrays.stream(ritz.getEigenvalues()).map(value -> value.multiply(scale)).toList();
         double largest = values.stream().mapToDouble(Complex::norm).max().orElse(0);
         List<Mode> modes = new ArrayList<>();
-        double error = 0;
         for (int k = 0; k < m; k++) {
             Complex lambda = values.get(k);
-            boolean pair = lambda.getImaginary() < 0    // and the way back to a saddle, of which only growth counts
-                    || lambda.getImaginary() == 0 && lambda.getReal() < 0 && linear.isConservative();
-            if (pair || lambda.norm() < least * largest) {
+            if (lambda.getImaginary() < 0 || lambda.norm() < ZERO * largest) {      // of a pair, the other one is kept
                 continue;
             }
             Complex[] weights = ritz.getEigenvector(k).toArray();
             double length = Math.sqrt(Arrays.stream(weights).mapToDouble(w -> w.norm() * w.norm()).sum());
-            double residual = next * weights[m - 1].norm() / length;
-            if (residual <= CONVERGED * largest) {
+            if (next * weights[m - 1].norm() <= CONVERGED * largest * length) {
                 modes.add(mode(lambda, Arrays.stream(weights).mapToDouble(w -> w.getReal() / length).toArray()));
             }
-            error = lambda.norm() == largest ? residual / largest : error;
         }
         modes.sort(Comparator.comparingDouble(Mode::size).reversed());
-        return new Spectrum(modes, error);
+        return modes;
     }
 
     private Mode mode(Complex lambda, double[] weights) {
@@ -126,15 +113,10 @@ final class Arnoldi {
         // an undamped mode's lambda keeps a real part from rounding
         double re = Math.abs(lambda.getReal()) <= ZERO * lambda.norm() ? 0 : lambda.getReal();
         double im = lambda.getImaginary();
-        double[] state = linear.inState(y.data);
-        if (im > 0) {
-            return new Mode(re, im, re * re + im * im, -2 * re, state);
-        }
-        // of a real eigenvalue, one of two of a damped spring, the shape gives the spring
-        int n = linear.coordinates();
-        double[] q = Arrays.copyOf(y.data, n);
-        double[] p = Arrays.copyOfRange(y.data, n, 2 * n);
-        double[] shape = Gmres.norm(q) > Gmres.norm(p) * ZERO ? q : p;
-        return new Mode(re, 0, linear.stiffness(shape), linear.damping(shape), state);
+        // a real lambda is one of two of a damped spring; that of a spring that pushes outwards moves as by drag alone
+        double damping = im > 0 ? -2 * re
+                : Math.max(-re, linear.damping(Arrays.copyOfRange(y.data, linear.coordinates(), y.numRows)));
+        double stiffness = im > 0 ? re * re + im * im : -re * (re + damping);
+        return new Mode(re, im, stiffness, damping, linear.farthest(y.data));
     }
 }

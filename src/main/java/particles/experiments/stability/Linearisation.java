@@ -4,12 +4,11 @@ import deSolvers.implicit.ForceJacobian;
 import deSolvers.linear.Gmres;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
-import particles.law.Effect.Trait;
 import particles.law.Particles;
-import particles.law.Reaction;
 
 /**
  * The linear equations of small motions about a system's present state: x'' = A x + B v for the particles that can
@@ -53,13 +52,6 @@ final class Linearisation {
         return places.length;
     }
 
-    /** @return whether A is symmetric and B is 0: all forces have potentials, and no reaction answers them */
-    boolean isConservative() {
-        return system.getEffects().stream().allMatch(effect -> !effect.dependsOnVelocity()
-                && effect.getTraits().contains(Trait.CONSERVATIVE))
-                && system.getReactions().stream().noneMatch(Reaction::isActive);
-    }
-
     /** @return a direction of length 1 without preference, the same every time */
     static double[] random(int size) {
         double[] q = new SplittableRandom(SEED).doubles(size, -0.5, 0.5).toArray();
@@ -71,21 +63,12 @@ final class Linearisation {
         return Arrays.stream(a).map(x -> x / by).toArray();
     }
 
-    /** @return the stiffness of a spring that answers displacements of this shape: -q A q / q q (1/s&sup2;) */
-    double stiffness(double[] q) {
-        return frequency * answer(q, 0);
-    }
-
     /** @return the damping of a spring that answers velocities of this shape: -p B p / p p (1/s) */
     double damping(double[] p) {
-        return answer(p, p.length);
-    }
-
-    private double answer(double[] shape, int place) {
-        int n = shape.length;
+        int n = p.length;
         double[] y = new double[2 * n];
-        System.arraycopy(shape, 0, y, place, n);
-        return -Gmres.dot(shape, Arrays.copyOfRange(derivative(y), n, 2 * n)) / Gmres.dot(shape, shape);
+        System.arraycopy(p, 0, y, n, n);
+        return -Gmres.dot(p, Arrays.copyOfRange(derivative(y), n, 2 * n)) / Gmres.dot(p, p);
     }
 
     /** @return y' for y = (w q, q'), one multiplication with the whole matrix: (w q', M^(1/2) (A x + B v)) */
@@ -104,14 +87,13 @@ final class Linearisation {
         return result;
     }
 
-    /** @return the direction in the state space of y = (w q, q') */
-    double[] inState(double[] y) {
-        double[] state = new double[system.getStateSize()];
+    /** @return the id of the particle that moves farthest in y = (w q, q') */
+    String farthest(double[] y) {
+        double[] squares = new double[system.getParticles().count()];
         for (int k = 0; k < places.length; k++) {
-            int at = Particles.STRIDE * (places[k] / 3) + places[k] % 3;
-            state[at] = y[k] / frequency / rootMasses[k];
-            state[at + 3] = y[places.length + k] / rootMasses[k];
+            squares[places[k] / 3] += y[k] * y[k] / (rootMasses[k] * rootMasses[k]);
         }
-        return state;
+        return system.getParticles().id(IntStream.range(0, squares.length).boxed()
+                .max(Comparator.comparingDouble(i -> squares[i])).orElseThrow());
     }
 }

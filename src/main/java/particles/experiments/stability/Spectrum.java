@@ -4,20 +4,18 @@ import java.util.List;
 import particles.ParticleSystem;
 
 /**
- * The spectrum of a system: the eigenvalues of its small motions, as far as the iteration found them, the fastest
- * first.
+ * The spectrum of a system: the eigenvalues of its small motions, as far as the iteration found them.
  *
- * @param modes    the modes by falling |lambda|, without those whose lambda is 0
- * @param error    a bound for the relative error of the largest |lambda|
+ * @param modes the modes by falling |lambda|, without those whose lambda is 0
  */
-public record Spectrum(List<Mode> modes, double error) {
+public record Spectrum(List<Mode> modes) {
     /**
      * @param system the system in the state in question; not changed
      * @return its spectrum; without modes if nothing can move or no force acts
      */
     public static Spectrum of(ParticleSystem system) {
         Linearisation linear = new Linearisation(system);
-        return linear.coordinates() == 0 ? new Spectrum(List.of(), 0) : Arnoldi.spectrum(linear);
+        return new Spectrum(linear.coordinates() == 0 ? List.of() : Arnoldi.modes(linear));
     }
 
     /** @return the modes that do not grow by themselves, the fastest first */
@@ -34,9 +32,9 @@ public record Spectrum(List<Mode> modes, double error) {
      * @param im        Im lambda (1/s), 0 or more: the angular frequency
      * @param stiffness omega&sup2; of the spring (1/s&sup2;)
      * @param damping   c of the spring (1/s)
-     * @param shape     the displacement and the velocity at time 0 in the layout of the state, up to a factor
+     * @param farthest  the id of the particle that moves farthest in it
      */
-    public record Mode(double re, double im, double stiffness, double damping, double[] shape) {
+    public record Mode(double re, double im, double stiffness, double damping, String farthest) {
         /** @return |lambda| (1/s) */
         public double size() {
             return Math.sqrt(re * re + im * im);

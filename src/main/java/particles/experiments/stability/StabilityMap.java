@@ -2,46 +2,67 @@ package particles.experiments.stability;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
-import particles.experiments.stability.StabilityRegion.Window;
+import particles.view.Axis;
+import particles.view.Chart;
 import particles.view.Look;
 import particles.view.Series;
 import particles.view.Series.Mark;
 
 /**
- * The stability region in a part of the complex plane, on a grid: its outline, and stripes that fill it.
+ * The stability region in a square of the complex plane around 0, on a grid: its outline, and stripes that fill it.
+ * Below the real axis it is mirrored, as R of the conjugate is the conjugate of R.
  */
-public final class StabilityMap {
+final class StabilityMap {
     /** The number of bisections of a grid square by which a point on the outline is found. */
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
     /** At least this many stripes fill the upper half of a chart, twice as many as their width needs. */
     private static final int STRIPES = 100;
+    private static final int COLUMNS = 128;
+    /** The growth over many steps is measured at each point of the grid. */
+    private static final int FEW_COLUMNS = 48;
 
     private final DoubleBinaryOperator modulus;
-    private final Window window;
+    private final double far;
+    private final double cell;
     private final boolean[][] grows;
 
     /**
-     * @param modulus  |R| at a point of the plane
-     * @param window   the part of the plane; below y = 0 the region is mirrored, as R of the conjugate is the conjugate
-     *                 of R
+     * @param modulus |R| at a point of the plane
+     * @param far     half the side of the square
+     * @param columns the number of columns of the grid, even
      */
-    public StabilityMap(DoubleBinaryOperator modulus, Window window) {
+    StabilityMap(DoubleBinaryOperator modulus, double far, int columns) {
         this.modulus = modulus;
-        this.window = window;
-        int columns = (int) Math.round((window.right() - window.left()) / window.cell());
-        int rows = (int) Math.ceil(FRAME * window.top() / window.cell());
-        grows = new boolean[rows + 1][columns + 1];
-        for (int r = 0; r <= rows; r++) {
+        this.far = far;
+        cell = 2 * far / columns;
+        grows = new boolean[(int) Math.ceil(FRAME * columns / 2) + 1][columns + 1];
+        for (int r = 0; r < grows.length; r++) {
             for (int c = 0; c <= columns; c++) {
                 grows[r][c] = growsAt(c, r);
             }
         }
+    }
+
+    /** @return the map of a solver */
+    static StabilityMap of(Amplification amplification, double far) {
+        return new StabilityMap(amplification::at, far, amplification.manySteps() ? FEW_COLUMNS : COLUMNS);
+    }
+
+    /** @return the square with these outlines, stripes or points, and the imaginary axis */
+    static Chart plane(double far, List<Series> shown) {
+        double[] ends = {-far, far};
+        List<Series> series = new ArrayList<>(shown);
+        series.add(new Series(Look.REFERENCE, "imaginary axis", Mark.LINE, new double[2], ends));
+        return new Chart(Axis.linear("Re(deltaT lambda): decay to the left", ""),
+                Axis.linear("Im(deltaT lambda): oscillation", ""), series).scaledTo(List.of(
+                new Series(Look.REFERENCE, "square", Mark.LINE, ends, ends)));
     }
 
     private boolean growsAt(double column, double row) {
@@ -56,12 +77,12 @@ public final class StabilityMap {
 
     /** The x of a column, half a cell off the imaginary axis, so that |R| = 1 on it is a line between grid points. */
     private double x(double column) {
-        return window.left() + (column + 0.5) * window.cell();
+        return (column + 0.5) * cell - far;
     }
 
     /** The y of a row; the first is the real axis, so that the outline ends at the limit for damping. */
     private double y(double row) {
-        return Math.max(0, row - 0.5) * window.cell();
+        return Math.max(0, row - 0.5) * cell;
     }
 
     /**
@@ -69,7 +90,7 @@ public final class StabilityMap {
      * @param name the name in the legend
      * @return the outline |R| = 1, broken where it is in pieces
      */
-    public Series outline(Look look, String name) {
+    Series outline(Look look, String name) {
         List<double[][]> pieces = new ArrayList<>();
         for (int r = 0; r + 1 < grows.length; r++) {
             for (int c = 0; c + 1 < grows[r].length; c++) {
@@ -87,9 +108,9 @@ public final class StabilityMap {
      * @param look its look
      * @return the region where a step does not grow, as stripes from one side of the outline to the other
      */
-    public Series filled(Look look) {
+    Series filled(Look look) {
         List<double[]> line = new ArrayList<>();
-        double height = Math.min(1, window.top() / STRIPES / window.cell());
+        double height = Math.min(1, far / STRIPES / cell);
         int last = grows[0].length - 1;
         for (double row = (1 + height) / 2; row < grows.length - 1; row += height) {
             double[] start = {x(0), y(row)};
@@ -125,14 +146,13 @@ public final class StabilityMap {
         return new double[] {x(c + still * (growingC - c)), y(r + still * (growingR - r))};
     }
 
-    private void draw(Collection<double[]> chain, List<double[]> line) {
+    /** Adds a line and its mirror image, each with a gap after it. */
+    private static void draw(Collection<double[]> chain, List<double[]> line) {
         double[] gap = {Double.NaN, Double.NaN};
         line.addAll(chain);
         line.add(gap);
-        if (window.bottom() < 0) {
-            chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
-            line.add(gap);
-        }
+        chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
+        line.add(gap);
     }
 
     /**
@@ -164,14 +184,10 @@ public final class StabilityMap {
     }
 
     private static boolean attach(Deque<double[]> chain, double[] here, double[] there) {
-        if (same(chain.getLast(), here)) {
+        if (Arrays.equals(chain.getLast(), here)) {
             chain.addLast(there);
             return true;
         }
-        return same(chain.getFirst(), here) && chain.offerFirst(there);
-    }
-
-    private static boolean same(double[] point, double[] other) {
-        return Math.abs(point[0] - other[0]) + Math.abs(point[1] - other[1]) < 1e-9;
+        return Arrays.equals(chain.getFirst(), here) && chain.offerFirst(there);
     }
 }

@@ -15,8 +15,7 @@ import particles.experiments.runs.FewestSteps;
 import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.RunCharts;
 import particles.experiments.runs.SolverChoice;
-import particles.experiments.stability.Amplification;
-import particles.experiments.stability.StabilityLimit;
+import particles.experiments.stability.SolverStability;
 import particles.view.Axis;
 import particles.view.Chart;
 import particles.view.DataTable;
@@ -75,7 +74,7 @@ public final class StiffGallery {
      * @return its costs, from soft to stiff
      */
     public static List<Cost> sweep(SolverChoice solver, int decades) {
-        double limit = solver.adaptive() ? Double.NaN : StabilityLimit.imaginary(Amplification.of(solver)).value();
+        double limit = solver.adaptive() ? Double.NaN : SolverStability.of(solver).undamped().value();
         return IntStream.rangeClosed(0, decades).mapToObj(d -> cost(solver, StrictMath.pow(10, d), limit)).toList();
     }
 

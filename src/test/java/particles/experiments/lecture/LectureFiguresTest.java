@@ -1,7 +1,6 @@
 package particles.experiments.lecture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
@@ -71,22 +70,6 @@ class LectureFiguresTest {
         assertEquals(List.of("end", "exact end"), List.of(end.name(), exactEnd.name()));
         double angle = Math.atan2(exactEnd.y()[0], exactEnd.x()[0]) - Math.atan2(end.y()[0], end.x()[0]);
         assertEquals(phase, Math.IEEEremainder(angle, 2 * Math.PI), 0.5e-6);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"backward-euler, 0.1, 0.99503719", "implicit-midpoint, 0.1, 1"})
-    void implicitSolversHaveTheirStabilityFunctions(String solver, double deltaT, double amplitude) {
-        Result result = LectureFigures.run(new Figure(solver, deltaT, 1));
-        assertEquals(amplitude, result.amplitude(), 1e-8);
-        assertEquals(result.theory().phaseError(1, deltaT), result.phaseError(), 1e-9);    // Newton stops at 1e-10
-    }
-
-    @Test
-    void solversWithoutAWrittenStabilityFunctionHaveNoTheory() {
-        Result result = LectureFigures.run(new Figure("verlet", 0.1, 63));
-        assertTrue(Double.isNaN(result.theory().amplitude(63)));
-        assertEquals(Double.NaN, LectureFigures.table(List.of(result)).rows().get(0).get(5));
-        assertNotEquals(0, result.phaseError());
     }
 
     @Test

@@ -1,9 +1,9 @@
 package particles.experiments.stability;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.text.Digits;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
@@ -34,7 +34,7 @@ class SceneStabilityTest {
 
     private static List<Limit> limits(SceneDescription scene, String solvers) {
         Spectrum spectrum = SceneStability.spectrum(scene);
-        return SceneStability.limits(scene, spectrum, SolverChoice.list(solvers), (part, what) -> { });
+        return SceneStability.limits(spectrum, scene.deltaT(), SolverChoice.list(solvers), (part, what) -> { });
     }
 
     /** Nine digits of the spectrum, as many as the slides' value has: measured 2e-9. */
@@ -97,6 +97,8 @@ class SceneStabilityTest {
             assertEquals(List.of("unbounded", ""), row.subList(1, 3));
         }
         assertEquals("sub-steps of", rows.get(3).get(1).toString().substring(0, 12));
+        assertEquals(List.of("-", ""), SceneStability.table(limits(chain(2, ""), "bulirsch-stoer"), 0.1).rows().get(0)
+                .subList(1, 3));
     }
 
     /**
@@ -133,30 +135,49 @@ class SceneStabilityTest {
     }
 
     private static Panel plane(double deltaT, String... solvers) {
-        return SceneStabilityCharts.plane("A chain", SceneStability.spectrum(chain(1, "")), deltaT,
+        return SceneStability.plane("A chain", SceneStability.spectrum(chain(1, "")), deltaT,
                 Stream.of(solvers).map(SolverChoice::of).toList());
     }
 
-    /** At deltaT = 100, modes reach to 141, rk4's region to 2.83 and radau's unstable one to 7.5. */
+    /** At deltaT = 1000, modes reach to 1414, rk4's region to 2.83 and radau's unstable one to 12. */
     @Test
     void outlinesThatWouldBeTooSmallToBeSeenAreLeftOut() {
-        assertEquals(List.of("imaginary axis", "modes of the scene"), plane(100, "rk4", "radau").charts().get(0)
+        assertEquals(List.of("modes of the scene", "imaginary axis"), plane(1000, "rk4", "radau").charts().get(0)
                 .series().stream().map(Series::name).toList());
         Panel near = plane(1, "rk4", "radau");
         assertEquals("A chain: eigenvalues times deltaT = 1 s", near.title());
-        assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
+        assertEquals(List.of("rk4", "radau", "modes of the scene", "imaginary axis"),
                 near.charts().get(0).series().stream().map(Series::name).toList());
+        assertArrayEquals(new double[] {Math.sqrt(2), -Math.sqrt(2)}, near.charts().get(0).series().get(2).y(), 1e-9);
     }
 
-    /** Modes that reach to 141 and more are drawn where rk4's region ends. */
+    /**
+     * A step of symplectic Euler on x'' = -k x - c x' has the trace 2 - h^2 k - h c and the determinant 1 - h c: one
+     * eigenvalue is -1 at h^2 k + 2 h c = 4. Here k = 2 and c = 4, with two real eigenvalues; verlet's iteration at the
+     * end of a step diverges from h c = 2 on.
+     */
     @Test
-    void aChartOfStepsFarTooLongShowsTheLongest() {
-        Panel plane = plane(100, "euler", "rk4");
-        assertEquals("A chain: eigenvalues times deltaT = " + Digits.few(2 * Math.sqrt(2) / SceneStability.spectrum(
-                chain(1, "")).modes().get(0).size()) + " s", plane.title());
-        double[] height = plane.charts().get(0).series().get(3).y();
-        assertEquals(2 * Math.sqrt(2), Arrays.stream(height).max().orElseThrow(), 1e-8);      // measured 4e-9
-        assertEquals(-2 * Math.sqrt(2), Arrays.stream(height).min().orElseThrow(), 1e-8);
+    void anOverdampedSpringIsOneSpringForSymplecticSolvers() {
+        List<Limit> limits = limits(chain(1, ", damping: 2"), "symplectic-euler, backward-euler");
+        assertEquals(Math.sqrt(6) - 2, limits.get(0).deltaT(), 1e-8);
+        assertEquals(Double.POSITIVE_INFINITY, limits.get(1).deltaT());
+    }
+
+    /** Drag alone, c = 3: 1 - h c reaches -1 at h = 2/3, with symplectic Euler as with Euler. */
+    @Test
+    void dragIsASpringWithoutStiffness() {
+        SceneDescription scene = TestScenes.read("""
+                title: drag
+                teaches: decay
+                solver: rk4
+                deltaT: 0.01
+                duration: 1
+                particles: [{id: a, position: [0, 0, 0], velocity: [1, 0, 0], mass: 2}]
+                effects: [drag: {coefficient: 6}]
+                """);
+        for (Limit limit : limits(scene, "euler, symplectic-euler")) {
+            assertEquals(2.0 / 3, limit.deltaT(), 1e-8, limit.toString());
+        }
     }
 
     /** A class of one's own is measured on its own code, as the catalogue's solvers are. */
@@ -170,6 +191,7 @@ class SceneStabilityTest {
     @Test
     void theModeThatSetsALimitIsNamedByTheParticleThatMovesMost() {
         Limit limit = limits(chain(3, ""), "verlet").get(0);
-        assertEquals("'p2', |lambda| = 1.848 /s", limit.mode());      // 2 sin(3 pi / 8)
+        assertEquals("'p2', |lambda| = 1.848 /s", SceneStability.table(List.of(limit), 0.1).rows().get(0)
+                .get(2));                                       // 2 sin(3 pi / 8)
     }
 }

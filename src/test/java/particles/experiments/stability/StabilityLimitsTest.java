@@ -13,8 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
+import particles.experiments.stability.Spectrum.Mode;
 import particles.view.DataTable;
 
 /**
@@ -22,7 +22,9 @@ import particles.view.DataTable;
  * compares with theory.
  */
 class StabilityLimitsTest {
-    private static final ProgressListener NOBODY = (part, what) -> { };
+    private static SolverStability measured(String solver) {
+        return SolverStability.of(SolverChoice.of(solver));
+    }
 
     private static void assertLimit(double theory, StabilityLimit measured, String what) {
         if (!Double.isNaN(theory)) {
@@ -34,9 +36,9 @@ class StabilityLimitsTest {
     @Test
     void everyLimitThatTheCatalogueStatesIsMeasured() {
         for (SolverInfo info : SolverCatalog.all()) {
-            assertLimit(info.realLimit(), StabilityLimit.real(Amplification.of(info)), info.name() + ", real");
-            assertLimit(info.imaginaryLimit(), StabilityLimit.imaginary(Amplification.of(info)),
-                    info.name() + ", imaginary");
+            SolverStability measured = measured(info.name());
+            assertLimit(info.realLimit(), measured.damped(), info.name() + ", real");
+            assertLimit(info.imaginaryLimit(), measured.undamped(), info.name() + ", imaginary");
         }
     }
 
@@ -57,7 +59,7 @@ class StabilityLimitsTest {
     void limitsUnderDampingAreMeasured() {
         for (String name : List.of("symplectic-euler", "verlet", "yoshida4")) {
             SolverInfo info = SolverCatalog.info(name);
-            double measured = StabilityLimit.real(Amplification.of(info)).value();
+            double measured = measured(name).damped().value();
             assertEquals(info.dampedLimit(), measured, 5e-4, name);     // measured 3e-4, of verlet
             assertTrue(info.dampedLimit() <= measured, name);
         }
@@ -70,8 +72,8 @@ class StabilityLimitsTest {
     void aCriticallyDampedSpringHasTheRealLimitOfMethodsThatStepTheWholeState() {
         for (SolverInfo info : SolverCatalog.all()) {
             if (!info.secondOrder() && info.family() != Family.MULTISTEP) {
-                Amplification amplification = Amplification.of(info);
-                assertLimit(info.dampedLimit(), StabilityLimit.measure(h -> amplification.ofSpring(h * h, 2 * h)),
+                Amplification onSprings = new Amplification(Amplification.of(info).maker(), true, false, 0);
+                assertLimit(info.dampedLimit(), StabilityLimit.measure(h -> onSprings.of(new Mode(-1, 0, 1, 2, ""), h)),
                         info.name());
             }
         }
@@ -81,7 +83,7 @@ class StabilityLimitsTest {
     @ParameterizedTest
     @CsvSource({"euler, 4.987562e-3, 1e-9", "midpoint, 1.249992e-5, 1e-10", "adams, 1.6e-7, 2e-9"})
     void whatAlwaysGrowsSaysByHowMuch(String solver, double growth, double digits) {
-        StabilityLimit limit = StabilityLimit.imaginary(Amplification.of(SolverCatalog.info(solver)));
+        StabilityLimit limit = measured(solver).undamped();
         assertEquals(growth, limit.growth(), digits);
         assertStarts(limit.text(), "always grows: ");
     }
@@ -92,7 +94,7 @@ class StabilityLimitsTest {
     @Test
     void theGrowthOfBulirschStoerIsTinyAndNotNone() {
         SolverInfo info = SolverCatalog.info("bulirsch-stoer");
-        assertEquals(0, StabilityLimit.imaginary(Amplification.of(info)).value());
+        assertEquals(0, measured(info.name()).undamped().value());
         Amplification amplification = Amplification.of(info);
         assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
     }
@@ -113,21 +115,31 @@ class StabilityLimitsTest {
     /** R = 1 - h + h^2/2 exceeds 1 beyond h = 2, and is over 1 by h^4/8 on the imaginary axis. */
     @Test
     void theTableHasAClassOfYourOwnOnSprings() {
-        assertEquals(List.of("StabilityLimitsTest$Heun", "-", "-", "-", "always grows: 1.25e-5 per step", "-", "2.0000",
-                "springs"), StabilityLimit.table(SolverChoice.list(Heun.class.getName()), NOBODY).rows().get(0));
+        assertEquals(List.of("StabilityLimitsTest$Heun", "-", "always grows: 1.25e-5 per step", "-", "2.0000"),
+                SolverStability.table(List.of(measured(Heun.class.getName()))).rows().get(0));
     }
 
     @Test
     void theTableHasEverySolverAndSaysUnbounded() {
-        DataTable table = StabilityLimit.table(SolverChoice.list("all"), NOBODY);
+        DataTable table = SolverStability.table(SolverChoice.list("all").stream().map(SolverStability::of).toList());
         assertEquals(SolverCatalog.names(), table.rows().stream().map(row -> row.get(0)).toList());
+        assertEquals(table.columns().size(), table.columns().stream().map(DataTable.Column::name).distinct().count());
         List<Object> verlet = table.rows().get(SolverCatalog.names().indexOf("verlet"));
-        assertEquals(List.of("-", "-"), verlet.subList(1, 3), "it is tried on springs, not on the real axis");
-        assertEquals("0.7400", verlet.get(5));
-        assertEquals(0.74, Double.parseDouble((String) verlet.get(6)), 0.005);
+        assertEquals("0.7400", verlet.get(3));
+        assertEquals(0.74, Double.parseDouble((String) verlet.get(4)), 0.005);
         List<Object> bulirschStoer = table.rows().get(SolverCatalog.names().indexOf("bulirsch-stoer"));
-        assertEquals("no growth above 1e-12 per step", bulirschStoer.get(4));
+        assertEquals("no growth above 1e-12 per step", bulirschStoer.get(2));
         List<Object> implicit = table.rows().get(SolverCatalog.names().indexOf("backward-euler"));
         assertEquals(List.of("unbounded", "unbounded", "unbounded", "unbounded"), implicit.subList(1, 5));
+    }
+
+    /** Radau's growing solutions no longer grow from 12 on: (1 + 2z/5 + z^2/20)/(1 - 3z/5 + 3z^2/20 - z^3/60) = -1. */
+    @Test
+    void aSquareShowsAllLimits() {
+        assertEquals(1.3 * 2.8284, measured("rk4").reach(), 1e-4);
+        assertEquals(1.3 * 2, measured("backward-euler").reach(), 1e-7);
+        assertEquals(1.3 * 3.2, measured("implicit-midpoint").reach());
+        double z = measured("radau").reach() / 1.3;
+        assertEquals(-1, (1 + 2 * z / 5 + z * z / 20) / (1 - 3 * z / 5 + 3 * z * z / 20 - z * z * z / 60), 1e-6);
     }
 }
