@@ -14,8 +14,7 @@ enum Experiment {
             Set.of(), "", "all", asked -> StateSpaceExperiments.lectureFigures(asked)),
     PHASE_PLOTS("phasePlots", "Draws phase portraits of a scene: several solvers over a reference solution.", """
             A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral \
-            outwards gains it, and a spiral inwards loses it. Distances off the curve are in halves of its width and \
-            height.""",
+            outwards gains it, and a spiral inwards loses it.""",
             Set.of("--scene", "--set", "--solvers"), "euler-spiral", "euler,symplectic-euler,rk4",
             asked -> StateSpaceExperiments.phasePlots(asked)),
     ENERGY_DRIFT("energyDrift", "Compares how well solvers keep the energy of a scene.", """

@@ -19,6 +19,8 @@ import particles.experiments.stability.Spectrum.Mode;
 import particles.output.report.Picture;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
+import particles.view.Panel;
+import particles.view.Series;
 
 /** The longest stable step, on every solver's real code or in one scene. */
 final class StabilityExperiment {
@@ -59,10 +61,13 @@ final class StabilityExperiment {
     /** Solvers of one group on one scale. */
     private static Picture regions(String group, List<SolverStability> solvers) {
         double far = solvers.stream().mapToDouble(SolverStability::reach).max().orElseThrow();
+        List<Panel> panels = solvers.stream().map(one -> one.region(far)).toList();
+        List<Series> scale = panels.get(0).charts().get(0).scale();
         return Picture.panels("region-" + group, """
                 Stable in the shaded region. Vibrations without damping lie on the imaginary axis, decay without \
                 vibration on the negative real axis; beyond the frame the regions go on.""",
-                "Stability regions, measured: " + group, solvers.stream().map(one -> one.region(far)).toList());
+                "Stability regions, measured: " + group, panels.stream().map(panel ->
+                panel.with(panel.title(), List.of(panel.charts().get(0).scaledTo(scale)))).toList());
     }
 
     /** The longest stable step of each solver in a scene with at least one mode that does not grow by itself. */

@@ -111,9 +111,13 @@ public final class PhaseHistory extends StridedRecorder {
     }
 
     private double range(Coordinate axis) {
-        DoubleSummaryStatistics values = path.stream().mapToDouble(state -> state[axis.ordinal()])
-                .summaryStatistics();
+        DoubleSummaryStatistics values = range(column(axis.ordinal()));
         return values.getMax() - values.getMin();
+    }
+
+    /** @return the range of values, without those where a path is cut */
+    static DoubleSummaryStatistics range(double[] values) {
+        return Arrays.stream(values).filter(value -> !Double.isNaN(value)).summaryStatistics();
     }
 
     private double[] column(int entry) {

@@ -5,6 +5,7 @@ import static particles.view.DataTable.column;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -29,18 +30,16 @@ public final class PhasePortraits {
     private static final double REFERENCE_TOLERANCE = 1e-10;
     private static final String REFERENCE = "reference";
     /**
-     * A path that goes farther out than this many times the curve leaves the picture; otherwise all else would
+     * A path that goes farther out than this many times the reference leaves the picture; otherwise all else would
      * shrink to a dot.
      */
     private static final double PICTURE = 3.2;
-    /** From ten times on, a percentage is hard to read. */
-    private static final int MANY_TIMES = 10;
 
     /**
      * The result of the runs.
      *
      * @param portraits the portrait of each solver
-     * @param table     the last position of the particle with each solver, and its distance from the reference
+     * @param table     the last state of the particle with each solver, and how far it is from the reference's
      */
     public record Portraits(List<Portrait> portraits, DataTable table) {
     }
@@ -70,24 +69,20 @@ public final class PhasePortraits {
             return new Run(setting, path, SceneRun.run(SceneRun.build(scene, setting), List.of(path)));
         });
         Coordinate axis = wanted.orElseGet(runs.get(0).path()::widestAxis);
-        CurveDistance curve = new CurveDistance(path(runs.get(0), axis, Look.REFERENCE, REFERENCE));
-        List<Portrait> portraits = runs.subList(1, runs.size()).stream().map(run -> {
-            Series path = path(run, axis, run.setting().solver().look(), run.setting().label());
-            return new Portrait(particle, axis, path, curve, curve.largest(path), run.outcome());
-        }).toList();
+        Series exact = path(runs.get(0), axis, Look.REFERENCE, REFERENCE);
+        List<Portrait> portraits = runs.subList(1, runs.size()).stream().map(run -> new Portrait(particle, axis,
+                path(run, axis, run.setting().solver().look(), run.setting().label()), exact, run.outcome()))
+                .toList();
         List<Portrait> rows = new ArrayList<>(portraits);
-        rows.add(new Portrait(particle, axis, curve.curve(), curve, 0, runs.get(0).outcome()));
+        rows.add(new Portrait(particle, axis, exact, exact, runs.get(0).outcome()));
         String position = axis == Coordinate.ANGLE ? "angle%s (rad)" : "position%s (m)";
         String velocity = axis == Coordinate.ANGLE ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
-        return new Portraits(portraits, DataTable.of("ends",
-                "Where the particle was at the end, and how far its path was from the reference's curve on the way",
-                rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
+        return new Portraits(portraits, DataTable.of("ends", "Where the particle was at the end", rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
                 column("solver", Portrait::solver),
                 column(position.formatted(""), row -> last(row.path().x())),
                 column(velocity.formatted(""), row -> last(row.path().y())),
                 column(position.formatted(" error"), 3, row -> row.error(Series::x)),
                 column(velocity.formatted(" error"), 3, row -> row.error(Series::y)),
-                column("off the curve (%)", 2, row -> 100 * row.off()),
                 column("evaluations", row -> row.outcome().evaluations()),
                 column("what went wrong", row -> row.outcome().failure().orElse(""))));
     }
@@ -107,13 +102,10 @@ public final class PhasePortraits {
      * @param particle its id
      * @param axis    the axis
      * @param path    the path, with the solver's label for a name
-     * @param curve   the reference's curve
-     * @param off     the largest distance of the path from the curve, in halves of the curve's width and height; NaN if
-     *                the reference has no curve
+     * @param exact   the reference's path
      * @param outcome the outcome of the solver's run
      */
-    public record Portrait(String particle, Coordinate axis, Series path, CurveDistance curve, double off,
-            Outcome outcome) {
+    public record Portrait(String particle, Coordinate axis, Series path, Series exact, Outcome outcome) {
         /** @return the solver's label */
         public String solver() {
             return path.name();
@@ -126,14 +118,15 @@ public final class PhasePortraits {
 
         /** @return how far the last value is from the reference's; NaN if the run did not reach its end */
         double error(Function<Series, double[]> which) {
-            return whole() ? Math.abs(last(which.apply(path)) - last(which.apply(curve.curve()))) : Double.NaN;
+            return whole() ? Math.abs(last(which.apply(path)) - last(which.apply(exact))) : Double.NaN;
         }
 
         /** @return the path over the reference, with both ends and the point where it leaves the picture */
         public Chart chart() {
-            Series exact = curve.curve();
+            DoubleSummaryStatistics x = PhaseHistory.range(exact.x());
+            DoubleSummaryStatistics v = PhaseHistory.range(exact.y());
             int shown = (int) IntStream.range(0, path.x().length).takeWhile(n ->
-                    !(curve.outwards(path.x()[n], path.y()[n]) > PICTURE)).count();
+                    !outside(path.x()[n], x) && !outside(path.y()[n], v)).count();
             int end = shown - 1;
             int last = exact.x().length - 1;
             List<Series> series = new ArrayList<>(List.of(
@@ -151,10 +144,14 @@ public final class PhasePortraits {
             return new Chart(axis.position(" of '" + particle + "'"), axis.velocity(""), series);
         }
 
-        /** @return how far the path is off the reference's curve, in a line; empty if that has no curve */
+        private static boolean outside(double value, DoubleSummaryStatistics range) {
+            double half = (range.getMax() - range.getMin()) / 2;
+            return half > 0 && Math.abs(value - range.getMin() - half) > PICTURE * half;
+        }
+
+        /** @return the error of the last position, in a line; empty if the run did not reach its end */
         public String answer() {
-            return Double.isNaN(off) ? "" : "off the reference by " + (off > MANY_TIMES
-                    ? "more than " + MANY_TIMES + " times" : Digits.few(100 * off, 2) + " % of") + " its half width";
+            return whole() ? Digits.few(error(Series::x), 3) + " " + axis.position("").unit() + " off at the end" : "";
         }
     }
 }

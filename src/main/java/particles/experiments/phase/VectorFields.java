@@ -70,7 +70,7 @@ public final class VectorFields {
     }
 
     private static double[] grid(double[] values, int count) {
-        DoubleSummaryStatistics range = CurveDistance.range(values);
+        DoubleSummaryStatistics range = PhaseHistory.range(values);
         double low = range.getMin();
         double extent = range.getMax() - low;
         return extent > 0 && Double.isFinite(extent) ? IntStream.range(0, count).mapToDouble(k ->
