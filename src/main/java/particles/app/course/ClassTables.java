@@ -86,7 +86,7 @@ final class ClassTables {
                 + " points for " + results.size() + " students", list.remarks(), List.of(), List.of(each, common, all));
         page.write(files, ChartFormat.PAGE);
         new Report(page.title(), List.of(), List.of(new Report.Section(GradeClassCommand.NAME,
-                "marks the hand-ins of a class", files.getPath(), 0, Optional.of(page), Optional.empty())),
+                "marks the hand-ins of a class", files.getPath(), Optional.of(page), Optional.empty())),
                 "version " + Program.VERSION).write(files, "class.html");
         if (Column.GRADE.place(list.head()) >= 0 && Column.NUMBER.place(list.head()) >= 0) {
             files.write(WORKSHEET, CSVFormat.DEFAULT.format(list.head().toArray()) + "\n" + list.students().values()

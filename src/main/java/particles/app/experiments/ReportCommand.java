@@ -1,6 +1,5 @@
 package particles.app.experiments;
 
-import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,7 +34,6 @@ public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
     private static final String SCENE_OPTION = "--scene";
     private static final int MOST_LINES = 8;
-    private static final double NANO = 1e-9;
 
     private final List<ExperimentCommand> experiments;
 
@@ -78,26 +76,21 @@ public final class ReportCommand extends ResultsCommand {
 
     @Override
     public void run(PrintWriter lines) {
-        long begin = System.nanoTime();
         ProgressListener progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             sections = progress.parts(chosen.get(), (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             new Report((scene.hasScene() ? scene.scene().title() + ": what" : "What")
-                    + " accuracy costs", text(), sections, Digits.format("Made by gradle report of DESolver %s in"
-                    + " %.0f s.", Program.VERSION, seconds(begin))).write(folder, FILE);
+                    + " accuracy costs", text(), sections, "Made by gradle report of DESolver " + Program.VERSION + ".")
+                    .write(folder, FILE);
         }
         for (Section section : sections) {
-            lines.printf(Locale.ROOT, "%-15s %4.0f s  %s%n", section.task(), section.seconds(), section.page()
-                    .map(ResultPage::title).orElseGet(() -> "failed: " + section.failure().orElse("")));
+            lines.printf(Locale.ROOT, "%-15s %s%n", section.task(), section.page().map(ResultPage::title)
+                    .orElseGet(() -> "failed: " + section.failure().orElse("")));
         }
         lines.println();
-        lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", seconds(begin), getFolder().resolve(FILE));
-    }
-
-    private static double seconds(long begin) {
-        return NANO * (System.nanoTime() - begin);
+        lines.println("all on one page: " + getFolder().resolve(FILE));
     }
 
     private List<ExperimentCommand> readNames() {
@@ -123,7 +116,6 @@ public final class ReportCommand extends ResultsCommand {
     private Section section(ExperimentCommand experiment, ProgressListener progress) {
         CommandLine line = new CommandLine(experiment);
         Path into = getFolder().resolve(experiment.name());
-        long begin = System.nanoTime();
         Optional<ResultPage> page = Optional.empty();
         Optional<String> failure = Optional.empty();
         progress.reached(0, "begins");
@@ -141,7 +133,7 @@ public final class ReportCommand extends ResultsCommand {
                     .collect(Collectors.joining("\n")));
         }
         return new Section(experiment.name(), String.join(" ", line.getCommandSpec().usageMessage().description()),
-                into, seconds(begin), page, failure);
+                into, page, failure);
     }
 
     /** The options of an experiment; experiments on a scene get the report's scene. */

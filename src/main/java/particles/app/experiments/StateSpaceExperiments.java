@@ -71,13 +71,12 @@ final class StateSpaceExperiments {
             List<Panel> panels = IntStream.range(0, charts.size()).mapToObj(k -> {
                 Portrait portrait = portraits.portraits().get(k);
                 return Panel.phase(portrait.solver() + step, charts.get(k).scaledTo(scale), Optional.empty())
-                        .answered(portrait.answer()).named(charts.size() == 1 ? "" : portrait.solver());
+                        .answered(portrait.answer()).named(portrait.solver());
             }).toList();
-            String caption = (plot.flatMap(Phase::about).isPresent() ? "Angular velocity over angle."
-                    : "Velocity over position.") + " The pale band is the reference, dormand-prince with a tolerance of"
-                    + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
-            return asked.page(title, List.of(charts.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
-                    : Picture.panels("phase-plots", caption, title, panels)), List.of(portraits.table()));
+            return asked.page(title, List.of(Picture.panels("phase-plots", """
+                    The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the end of a \
+                    run that stopped, or the place where a path leaves the picture.""", title, panels)),
+                    List.of(portraits.table()));
         };
     }
 }

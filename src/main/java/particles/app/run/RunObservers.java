@@ -100,7 +100,7 @@ final class RunObservers implements AutoCloseable {
                 .orElseGet(() -> TrajectoryWriter.strideFor(steps, count, MOST_LINES)));
         energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(),
                 TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
-        phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
+        phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about(), steps));
         this.replay = extras.replay ? Optional.of(new Replay(scene, energy.getLedger())) : Optional.empty();
         this.replay.map(Replay::getRecorder).ifPresent(others::add);
         others.add(trajectory);

@@ -19,12 +19,12 @@ import particles.view.Series.Mark;
 /**
  * Records the path of one particle in its state space: position against velocity along an axis, or its angle about
  * another particle against the angular velocity, after each step and again after rules changed something. Where a rule
- * changed this particle, as a bounce does, a point that is not a number cuts the line. A very long path is thinned to
- * every 2nd, 4th, ... state, and then drawn as points, since lines between distant states would show a motion that did
- * not happen.
+ * changed this particle, as a bounce does, a point that is not a number cuts the line. A path of very many
+ * steps has every 2nd, 3rd, ... state and the last, drawn as points, since lines between distant states would show a
+ * motion that did not happen.
  */
 public final class PhaseHistory extends StridedRecorder {
-    private static final int CAPACITY = 1 << 15;
+    private static final int MOST_STATES = 1 << 15;
     /** A path of at most this number of states shows each of them. */
     private static final int FEW = 150;
     /** Numbers of each state that is kept: position, velocity, angle, angular velocity, and 1 after a jump. */
@@ -37,14 +37,16 @@ public final class PhaseHistory extends StridedRecorder {
     private double angle;
     private double rate;
     private final List<double[]> path = new ArrayList<>();
-    private long every = 1;
-    private long states;
+    private final boolean thinned;
 
     /**
      * @param id    the id of the particle
      * @param about the particle about which its angle is measured, if there is one
+     * @param steps the number of steps of the run
      */
-    public PhaseHistory(String id, Optional<String> about) {
+    public PhaseHistory(String id, Optional<String> about, double steps) {
+        super((long) Math.max(1, Math.ceil(steps / MOST_STATES)));
+        thinned = steps > MOST_STATES;
         this.id = id;
         this.about = about;
     }
@@ -71,20 +73,11 @@ public final class PhaseHistory extends StridedRecorder {
         if (about.isPresent()) {
             turn(state, Particles.STRIDE * index, Particles.STRIDE * pivot);
         }
-        if (states++ % every == 0) {
-            if (path.size() == CAPACITY) {
-                // every second state goes; their number is even, so the next one is due
-                List<double[]> kept = IntStream.range(0, CAPACITY / 2).mapToObj(k -> path.get(2 * k)).toList();
-                path.clear();
-                path.addAll(kept);
-                every *= 2;
-            }
-            double[] kept = Arrays.copyOfRange(state, Particles.STRIDE * index, Particles.STRIDE * index + COLUMNS);
-            kept[Particles.STRIDE] = angle;
-            kept[Particles.STRIDE + 1] = rate;
-            kept[COLUMNS - 1] = 0;
-            path.add(kept);
-        }
+        double[] kept = Arrays.copyOfRange(state, Particles.STRIDE * index, Particles.STRIDE * index + COLUMNS);
+        kept[Particles.STRIDE] = angle;
+        kept[Particles.STRIDE + 1] = rate;
+        kept[COLUMNS - 1] = 0;
+        path.add(kept);
     }
 
     /** @return the index of a particle, usually the same as before; the number of particles if it was removed */
@@ -121,7 +114,7 @@ public final class PhaseHistory extends StridedRecorder {
     }
 
     private double[] column(int entry) {
-        return path.stream().flatMapToDouble(state -> state[COLUMNS - 1] == 1 && every == 1
+        return path.stream().flatMapToDouble(state -> state[COLUMNS - 1] == 1 && !thinned
                 ? DoubleStream.of(Double.NaN, state[entry]) : DoubleStream.of(state[entry])).toArray();
     }
 
@@ -139,7 +132,7 @@ public final class PhaseHistory extends StridedRecorder {
         double[] x = column(axis == Coordinate.ANGLE ? Particles.STRIDE : axis.ordinal());
         double[] v = column(axis == Coordinate.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
         String whose = " of '" + id + "'" + (axis == Coordinate.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
-        Mark mark = every > 1 ? Mark.POINTS : path.size() <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
+        Mark mark = thinned ? Mark.POINTS : path.size() <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
         return new Chart(axis.position(whose), axis.velocity(whose), List.of(new Series(look, name, mark, x, v),
                 start(x[0], v[0]), Series.point(Look.MARK, "end", Mark.POINTS, x[x.length - 1], v[x.length - 1])));
     }

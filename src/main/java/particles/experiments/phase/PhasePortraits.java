@@ -65,7 +65,7 @@ public final class PhasePortraits {
         List<Setting> settings = new ArrayList<>(List.of(Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE)));
         solvers.forEach(solver -> settings.add(Setting.of(solver, scene.deltaT())));
         List<Run> runs = progress.onAllCores(settings, Setting::label, setting -> {
-            PhaseHistory path = new PhaseHistory(particle, about);
+            PhaseHistory path = new PhaseHistory(particle, about, scene.duration() / scene.deltaT());
             return new Run(setting, path, SceneRun.run(SceneRun.build(scene, setting), List.of(path)));
         });
         Coordinate axis = wanted.orElseGet(runs.get(0).path()::widestAxis);
@@ -77,7 +77,8 @@ public final class PhasePortraits {
         rows.add(new Portrait(particle, axis, exact, exact, runs.get(0).outcome()));
         String position = axis == Coordinate.ANGLE ? "angle%s (rad)" : "position%s (m)";
         String velocity = axis == Coordinate.ANGLE ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
-        return new Portraits(portraits, DataTable.of("ends", "Where the particle was at the end", rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
+        return new Portraits(portraits, DataTable.of("ends", "Where the particle was at the end",
+                rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
                 column("solver", Portrait::solver),
                 column(position.formatted(""), row -> last(row.path().x())),
                 column(velocity.formatted(""), row -> last(row.path().y())),
@@ -149,9 +150,10 @@ public final class PhasePortraits {
             return half > 0 && Math.abs(value - range.getMin() - half) > PICTURE * half;
         }
 
-        /** @return the error of the last position, in a line; empty if the run did not reach its end */
+        /** @return the error of the last position, or the time of the failure, in a line */
         public String answer() {
-            return whole() ? Digits.few(error(Series::x), 3) + " " + axis.position("").unit() + " off at the end" : "";
+            return whole() ? Digits.few(error(Series::x), 3) + " " + axis.position("").unit() + " off at the end"
+                    : "stopped at " + Digits.few(outcome.endTime(), 3) + " s";
         }
     }
 }

@@ -117,11 +117,10 @@ public record Report(String title, List<String> text, List<Section> sections, St
      * @param task    the name of its task
      * @param purpose the purpose of the task, in a sentence
      * @param folder  the folder of its pictures
-     * @param seconds its time (s)
      * @param page    its results
      * @param failure the reason if it has no results
      */
-    public record Section(String task, String purpose, Path folder, double seconds, Optional<ResultPage> page,
+    public record Section(String task, String purpose, Path folder, Optional<ResultPage> page,
                           Optional<String> failure) {
         /** A table with more rows is collapsed. */
         private static final int MOST_ROWS = 60;

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import particles.experiments.stability.SolverStability;
 import particles.experiments.stability.StabilityLimit;
-import particles.experiments.stability.StepTrial;
 import particles.view.Look;
 import particles.view.Panel;
 

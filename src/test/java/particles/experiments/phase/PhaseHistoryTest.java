@@ -41,7 +41,8 @@ class PhaseHistoryTest {
     }
 
     private static PhaseHistory observe(Simulation simulation) {
-        PhaseHistory phase = new PhaseHistory("bob", Optional.empty());
+        PhaseHistory phase = new PhaseHistory("bob", Optional.empty(), simulation.getDuration()
+                / simulation.getDeltaT());
         simulation.addObserver(phase);
         simulation.run();
         return phase;
@@ -76,7 +77,7 @@ class PhaseHistoryTest {
         springs.addSpring(0, 1, 4, 0, 0);
         system.addEffect(springs);
         Simulation simulation = rk4(system, 1.0 / 64, 10);
-        PhaseHistory phase = new PhaseHistory("bob", Optional.of("hub"));
+        PhaseHistory phase = new PhaseHistory("bob", Optional.of("hub"), 640);
         simulation.addObserver(phase);
         simulation.run();
         Chart chart = phase.chart(Coordinate.ANGLE, Look.OWN, "path");
@@ -99,6 +100,13 @@ class PhaseHistoryTest {
         assertEquals(32_001, thinned.x().length);      // every second of 64,001 states
         Series all = observe(oscillator(1.0 / 64, 2)).chart(Coordinate.Z, Look.OWN, "path").series().get(0);
         assertEquals(all.x()[100], thinned.x()[50]);
+        // every third of 80,000 steps, which are no multiple of 3, with the first state and the last
+        Series uneven = observe(oscillator(1.0 / 64, 80_000 / 64.0)).chart(Coordinate.Z, Look.OWN, "path").series()
+                .get(0);
+        Series whole = observe(oscillator(1.0 / 64, 20_000 / 64.0)).chart(Coordinate.Z, Look.OWN, "path").series()
+                .get(0);
+        assertEquals(26_668, uneven.x().length);
+        assertEquals(whole.x()[19_998], uneven.x()[6_666]);
     }
 
     /** A ball lands at t = 0.45 s and at 1.35 s; between the cuts its velocity changes by g deltaT per step. */
@@ -154,7 +162,7 @@ class PhaseHistoryTest {
 
     @Test
     void aParticleThatIsNotThereHasNoPath() {
-        PhaseHistory phase = new PhaseHistory("bop", Optional.empty());
+        PhaseHistory phase = new PhaseHistory("bop", Optional.empty(), 4);
         Simulation simulation = oscillator(0.25, 1);
         simulation.addObserver(phase);
         simulation.run();

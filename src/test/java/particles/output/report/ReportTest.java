@@ -79,9 +79,9 @@ class ReportTest {
                     gif.commit();
                 }
             }
-            sections.add(new Section(name, "Falls.", made, 1.5, Optional.of(fall), Optional.empty()));
+            sections.add(new Section(name, "Falls.", made, Optional.of(fall), Optional.empty()));
         }
-        sections.add(new Section("jump", "Jumps.", top, 0, Optional.empty(), Optional.of("a < b\nand so on")));
+        sections.add(new Section("jump", "Jumps.", top, Optional.empty(), Optional.of("a < b\nand so on")));
         try (OutputFolder folder = OutputFolder.open(top.resolve("report"))) {
             new Report(NASTY, List.of(NASTY), sections, "The end.").write(folder, "report.html");
         }
@@ -91,7 +91,7 @@ class ReportTest {
 
     private static Report withPicture(String file) {
         ResultPage one = new ResultPage("one", "One", List.of(), List.of(Picture.made(file, "It moves.")), List.of());
-        Section section = new Section("one", "Moves.", top, 1, Optional.of(one), Optional.empty());
+        Section section = new Section("one", "Moves.", top, Optional.of(one), Optional.empty());
         return new Report("One", List.of(), List.of(section), "The end.");
     }
 

@@ -1,4 +1,4 @@
-package particles.experiments.stability;
+package particles.teaching.figures;
 
 import deSolvers.DESolver;
 import deSolvers.problems.LinearPair;
@@ -6,6 +6,7 @@ import deSolvers.problems.StepMatrix;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Supplier;
+import particles.experiments.stability.Amplification;
 
 /**
  * Finds by trial how the growth of a solver's steps can be measured: on the test equation or, if it needs positions and
@@ -14,7 +15,7 @@ import java.util.function.Supplier;
  * @param amplification the measurement, if there can be one
  * @param objection     the reason if there can be none; otherwise empty
  */
-public record StepTrial(Optional<Amplification> amplification, String objection) {
+record StepTrial(Optional<Amplification> amplification, String objection) {
     /** Real and imaginary part of deltaT lambda, short enough for any iteration to converge. */
     private static final double[][] PLACES = {{-0.1, 0.4}, {0.05, 0.5}, {-0.2, 0.1}};
     /** Two revolutions, nearly, which no single step of a method can follow. */
@@ -36,7 +37,7 @@ public record StepTrial(Optional<Amplification> amplification, String objection)
      * @param remembers whether the method uses earlier steps
      * @return the way of measuring it
      */
-    public static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
+    static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
         int steps = remembers ? STEPS : 1;
         try {
             return on(maker, !(step(maker, false, PLACES[0], steps, 1, 1).distinction() <= MOST_NOISE), steps);
