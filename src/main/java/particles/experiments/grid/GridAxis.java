@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -136,12 +135,13 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
         return new GridAxis(key, values, log, unit);
     }
 
-    /** @return its values as numbers; empty if one of them is none */
-    Optional<double[]> numbers() {
+    /** @return whether its values are numbers */
+    boolean isNumeric() {
         try {
-            return Optional.of(values.stream().mapToDouble(Double::parseDouble).toArray());
+            values.forEach(Double::parseDouble);
+            return true;
         } catch (NumberFormatException e) {
-            return Optional.empty();
+            return false;
         }
     }
 

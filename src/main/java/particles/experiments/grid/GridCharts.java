@@ -4,10 +4,7 @@ import static particles.view.DataTable.column;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.experiments.grid.Grid.Row;
@@ -59,8 +56,9 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
     /** The chart, and below it the runs without a result, in a row for each curve. */
     private List<Chart> charts(Measure measure, List<Row> some) {
         GridAxis first = grid.axes().get(0);
-        Map<String, Double> places = places(first);
-        ToDoubleFunction<Row> x = row -> places.get(row.at().get(0));
+        boolean numeric = first.isNumeric();
+        ToDoubleFunction<Row> x = row -> numeric ? Double.parseDouble(row.at().get(0))
+                : first.values().indexOf(row.at().get(0));
         int m = measures.indexOf(measure);
         List<String> curves = grid.axes().size() < 2 ? List.of(measure.name()) : some(grid.axes().get(1));
         Axis y = measure.axis(first.log());
@@ -70,7 +68,7 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
                 .toList();
         List<Chart> charts = new RunCharts<>(drawn, first.axis(), x).charts(y, row -> row.measured().get(m),
                 runs -> "");
-        if (first.numbers().isEmpty()) {                // its values are rows, and the measure is along x
+        if (!numeric) {                // its values are rows, and the measure is along x
             return List.of(new Chart(y, Axis.linear(first.key(), ""), charts.get(0).series().stream().map(one ->
                     new Series(one.look(), one.name(), Mark.POINTS, one.y(), one.x())).toList())
                     .inRows(first.values()));
@@ -88,16 +86,6 @@ public record GridCharts(Grid grid, List<Measure> measures, List<Row> rows) {
     private String named(String curve) {
         String key = grid.axes().size() < 2 ? "solver" : grid.axes().get(1).key();
         return key.equals("solver") ? curve : key.substring(key.lastIndexOf('.') + 1) + " = " + curve;
-    }
-
-    /** The place of each value on the axis of a chart. */
-    private static Map<String, Double> places(GridAxis axis) {
-        Optional<double[]> numbers = axis.numbers();
-        Map<String, Double> places = new HashMap<>();
-        for (int k = 0; k < axis.values().size(); k++) {
-            places.put(axis.values().get(k), numbers.isPresent() ? numbers.get()[k] : k);
-        }
-        return places;
     }
 
     /** @return a row for each result that is there, in the order of the points */

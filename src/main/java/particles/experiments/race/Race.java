@@ -127,12 +127,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      */
     private Setting tight() {
         double frame = scene.duration() / frames;
-        return reference(frame / Math.ceil(frame / scene.deltaT()));
-    }
-
-    /** @return the setting of {@link #REFERENCE} with such steps */
-    public static Setting reference(double deltaT) {
-        return Setting.accurate(deltaT, REFERENCE_TOLERANCE);
+        return Setting.accurate(frame / Math.ceil(frame / scene.deltaT()), REFERENCE_TOLERANCE);
     }
 
     /** Prepares the run of a solver, to be done at any time. */

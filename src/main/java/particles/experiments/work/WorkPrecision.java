@@ -225,9 +225,7 @@ public final class WorkPrecision {
                         LinkedHashMap::new, Collectors.toList())).values()),
                 column("problem", curve -> curve.get(0).problem.name()),
                 column("solver", curve -> curve.get(0).solver.label()), column("slope", 3, WorkPrecision::slope),
-                column("theory", curve -> theory(curve.get(0).problem, curve.get(0).solver)),
-                column("runs", List::size),
-                column("failed", curve -> curve.stream().filter(run -> !run.failure.isEmpty()).count()));
+                column("theory", curve -> theory(curve.get(0).problem, curve.get(0).solver)));
     }
 
     /**
