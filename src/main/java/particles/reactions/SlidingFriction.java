@@ -104,8 +104,8 @@ final class SlidingFriction {
     }
 
     /**
-     * Adds the contact force of a particle that touches one surface only and slides there: what {@link Blocks} finds
-     * for it, bit for bit, without a system of equations.
+     * Adds the contact force of a particle that touches one surface only and slides there: what a {@link Block} has for
+     * it, bit for bit, without a system of equations.
      *
      * @param signed whether the surface can only push
      * @param force  the forces of all effects (N), to which it is added

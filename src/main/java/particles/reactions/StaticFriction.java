@@ -46,16 +46,8 @@ final class StaticFriction {
 
         private Vector3 nearest(Vector3 wanted) {
             double push = normal.dot(wanted);
-            Vector3 across = wanted.minus(normal.times(push));
-            double size = across.length();
-            if (skin != Skin.SMOOTH) {
-                return skin.toHold(across.times(-1)) <= friction * push ? wanted : nearest(push, across.times(-1));
-            }
-            if (size <= friction * push) {
-                return wanted;
-            }
-            double most = Math.max(0, (push + friction * size) / (1 + friction * friction));
-            return normal.plus(across.times(size == 0 ? 0 : friction / size)).times(most);
+            Vector3 against = normal.times(push).minus(wanted);
+            return skin.toHold(against) <= friction * push ? wanted : nearest(push, against);
         }
 
         /** The normal force at which the distance has slope 0, found by bisection; what is balanced follows from it. */

@@ -163,53 +163,46 @@ public final class ClampedImpacts extends Impacts implements EventRule {
     private void answer(List<Below> crossing, double deltaT) {
         double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
-        double[] most = new double[crossing.size()];
-        List<Meeting> meetings = new ArrayList<>();
+        Map<Meeting, Double> slow = new LinkedHashMap<>();      // the speed below which the particle rests (m/s)
         Map<Integer, BitSet> under = new LinkedHashMap<>();
-        for (int k = 0; k < most.length; k++) {
-            int p = crossing.get(k).surface;
-            int i = crossing.get(k).particle;
-            ContactSurface surface = surfaces.get(p);
+        for (Below each : crossing) {
+            int i = each.particle;
+            ContactSurface surface = surfaces.get(each.surface);
             double depth = -surface.distance(state, i);
+            if (depth <= 0) {
+                continue;                               // an impact on another surface has taken it out
+            }
+            under.computeIfAbsent(i, particle -> new BitSet()).set(each.surface);
             Vector3 normal = surface.normal(state, i);
             double speed = surface.normalSpeed(state, i);
-            if (depth <= 0) {
-                most[k] = Double.NaN;                   // an impact on another surface has taken it out
-                continue;
-            }
-            under.computeIfAbsent(i, particle -> new BitSet()).set(p);
             if (speed >= 0 && !surface.obstacle().isFlat() && isOn(surface, before, i)) {
-                most[k] = Double.NaN;                   // it has just left: below only by the error of its step
-                continue;
+                continue;                               // it has just left: below only by the error of its step
             }
             double gained = normal.dot(velocity(arrived, i).minus(velocity(before, i)));
             double atSurface = Math.sqrt(Math.max(0, speed * speed + 2 * gained / deltaT * depth));
             if (speed < 0) {
-                most[k] = slow(surface, Math.max(Math.abs(gained),
+                double limit = slow(surface, Math.max(Math.abs(gained),
                         Math.abs(speed - normal.dot(velocity(before, i)))));
                 double leaving = surface.bounce().restitution() * atSurface;
-                boolean rests = leaving <= most[k];
+                boolean rests = leaving <= limit;
                 // a particle that rests stays on others where it would be back in half a step
                 Vector3 pull = rests && modes.isTouching(i) && !resting.isCoupled(i)
                         ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
-                meetings.add(new Meeting(p, i, rests ? 0 : leaving, pull));
-            } else {
-                most[k] = Double.NaN;
-                if (!resting.isCoupled(i)) {
-                    moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
-                }
+                slow.put(new Meeting(each.surface, i, rests ? 0 : leaving, pull), limit);
+            } else if (!resting.isCoupled(i)) {
+                moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
             }
         }
         under.forEach((i, some) -> resting.getImpacts().lift(i, some, state));
-        resting.getImpacts().answer(meetings, state);
-        for (int k = 0; k < most.length; k++) {
-            int i = crossing.get(k).particle;
-            if (surfaces.get(crossing.get(k).surface).normalSpeed(state, i) <= most[k]) {
-                rest(crossing.get(k).surface, i);
+        resting.getImpacts().answer(List.copyOf(slow.keySet()), state);
+        slow.forEach((meeting, limit) -> {
+            int i = meeting.particle();
+            if (surfaces.get(meeting.surface()).normalSpeed(state, i) <= limit) {
+                rest(meeting.surface(), i);
                 resting.putOnSurfaces(i, state);
                 forceKnown = false;
             }
-        }
+        });
     }
 
     /**
