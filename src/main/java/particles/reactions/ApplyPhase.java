@@ -21,13 +21,13 @@ final class ApplyPhase {
     private final Contacts contacts;
     private final GatherPhase gather;
     private final EvaluatePhase evaluate;
-    private final SolvePhase solve;
+    final SolvePhase solve;
 
-    ApplyPhase(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve) {
-        this.contacts = contacts;
-        this.gather = gather;
-        this.evaluate = evaluate;
+    ApplyPhase(SolvePhase solve) {
         this.solve = solve;
+        contacts = solve.contacts;
+        gather = solve.gather;
+        evaluate = solve.evaluate;
     }
 
     /**

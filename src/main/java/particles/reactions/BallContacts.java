@@ -15,21 +15,15 @@ import particles.reactions.Row.Kind;
  * theory}. The rule {@code particles.rules.Collisions} decides when they begin and end.
  */
 public final class BallContacts {
-    private final GatherPhase gather;
-    private final EvaluatePhase evaluate;
     private final SolvePhase solve;
     private final ApplyPhase apply;
-    private final ContactModes modes;
     private final Contacts contacts;
     private final List<Row> rows;
 
-    BallContacts(RestingContacts resting) {
-        gather = resting.gather;
-        evaluate = resting.evaluate;
-        solve = resting.solve;
-        apply = resting.apply;
-        contacts = resting.getContacts();
-        modes = contacts.getModes();
+    BallContacts(ApplyPhase apply) {
+        this.apply = apply;
+        solve = apply.solve;
+        contacts = solve.contacts;
         rows = contacts.rows;
     }
 
@@ -116,7 +110,7 @@ public final class BallContacts {
     /** Calls something for each block in which balls touch. */
     private void forEach(Consumer<Block> action) {
         if (hasContacts()) {
-            gather.joined().stream().filter(block -> block.hasPairs).forEach(action);
+            solve.gather.joined().stream().filter(block -> block.hasPairs).forEach(action);
         }
     }
 
@@ -127,7 +121,7 @@ public final class BallContacts {
      */
     public double leastPush(double[] state, double time, double[] force) {
         double[] least = {Double.POSITIVE_INFINITY};
-        evaluate.prepare(state, time);
+        solve.evaluate.prepare(state, time);
         forEach(block -> {
             solve.solveForces(block, state, time, force);
             for (Row row : block.rows) {
@@ -147,7 +141,7 @@ public final class BallContacts {
      */
     public List<List<Integer>> partWhereFree(double[] state, double time, double[] force, double most) {
         BitSet ending = new BitSet();
-        evaluate.prepare(state, time);
+        solve.evaluate.prepare(state, time);
         forEach(block -> {
             solve.solveForces(block, state, time, force);
             for (Row row : block.rows) {
@@ -155,7 +149,7 @@ public final class BallContacts {
                 if (row.kind == Kind.BALLS) {
                     ending.set(row.number, push <= Math.max(most, -Double.MIN_VALUE) && !rows.get(row.number).latched);
                 } else if (push < 0) {
-                    modes.set(row.number, row.first, Mode.FREE);
+                    contacts.getModes().set(row.number, row.first, Mode.FREE);
                 }
             }
         });

@@ -49,13 +49,13 @@ public final class BlockImpacts {
     public record Meeting(int surface, int particle, double leaving, Vector3 pull) {
     }
 
-    BlockImpacts(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve, ApplyPhase apply) {
-        this.contacts = contacts;
-        modes = contacts.getModes();
-        this.gather = gather;
-        this.evaluate = evaluate;
-        this.solve = solve;
+    BlockImpacts(ApplyPhase apply) {
         this.apply = apply;
+        solve = apply.solve;
+        contacts = solve.contacts;
+        modes = contacts.getModes();
+        gather = solve.gather;
+        evaluate = solve.evaluate;
     }
 
     /**

@@ -6,6 +6,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.reactions.NormalForces.Push;
 import particles.reactions.Row.Kind;
 
 /** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
@@ -20,14 +23,13 @@ public final class ContactQueries {
     private Optional<String> failure = Optional.empty();
     private Optional<StaticFriction> atRest = Optional.empty();
 
-    ContactQueries(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve,
-            NormalForces normal) {
-        this.contacts = contacts;
-        modes = contacts.getModes();
-        this.gather = gather;
-        this.evaluate = evaluate;
-        this.solve = solve;
+    ContactQueries(NormalForces normal) {
         this.normal = normal;
+        solve = normal.solve;
+        contacts = solve.contacts;
+        modes = contacts.getModes();
+        gather = solve.gather;
+        evaluate = solve.evaluate;
     }
 
     /** Finds the forces of a block at rules' request; the last answer is kept, as rules ask for each particle. */
@@ -49,8 +51,7 @@ public final class ContactQueries {
     /** The forces on the held particles of a block in the last question. */
     private StaticFriction forcesAtRest(Block block, double[] state, double[] force) {
         if (atRest.isEmpty()) {
-            atRest = Optional.of(new StaticFriction(gather, evaluate, solve, normal, block, state,
-                    solve.addUp(block, force)));
+            atRest = Optional.of(new StaticFriction(normal, block, state, solve.addUp(block, force)));
         }
         return atRest.get();
     }
@@ -124,11 +125,23 @@ public final class ContactQueries {
     /**
      * How long sliding friction takes to stop a particle that is not coupled.
      *
+     * @param i     its index
      * @param state the particles' state
      * @param force the total force of all effects (N)
      * @return the time (s); infinite if it does not slow down
      */
-    public double stoppingTime(int particle, double[] state, double[] force) {
-        return normal.stoppingTime(particle, state, force);
+    public double stoppingTime(int i, double[] state, double[] force) {
+        Vector3 velocity = Vector3.at(state, Particles.STRIDE * i + 3);
+        double speed = velocity.length();
+        if (speed == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double slowing = -Vector3.at(force, Particles.STRIDE * i + 3).dot(velocity) / speed;
+        Push[] pushes = normal.find(i, state, force, true);
+        double factor = normal.skin(i, state, pushes).stretch(velocity).length() / speed;
+        for (Push push : pushes) {
+            slowing += factor * push.surface().friction().ofCoulomb(push.size());
+        }
+        return slowing > 0 ? contacts.particles.mass(i) * speed / slowing : Double.POSITIVE_INFINITY;
     }
 }

@@ -23,13 +23,13 @@ final class NormalForces {
     private final Contacts contacts;
     private final GatherPhase gather;
     private final EvaluatePhase evaluate;
-    private final SolvePhase solve;
+    final SolvePhase solve;
 
-    NormalForces(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve) {
-        this.contacts = contacts;
-        this.gather = gather;
-        this.evaluate = evaluate;
+    NormalForces(SolvePhase solve) {
         this.solve = solve;
+        contacts = solve.contacts;
+        gather = solve.gather;
+        evaluate = solve.evaluate;
     }
 
     /**
@@ -74,21 +74,5 @@ final class NormalForces {
     Skin skin(int i, double[] state, Push... pushes) {
         return evaluate.sliding.skin(i, state, Arrays.stream(pushes).filter(push -> push.size() > 0).map(Push::normal)
                 .toArray(Vector3[]::new));
-    }
-
-    /** How long sliding friction takes to stop a particle that is not coupled (s); infinite if it does not. */
-    double stoppingTime(int i, double[] state, double[] force) {
-        Vector3 velocity = Vector3.at(state, Particles.STRIDE * i + 3);
-        double speed = velocity.length();
-        if (speed == 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double slowing = -Vector3.at(force, Particles.STRIDE * i + 3).dot(velocity) / speed;
-        Push[] pushes = find(i, state, force, true);
-        double factor = skin(i, state, pushes).stretch(velocity).length() / speed;
-        for (Push push : pushes) {
-            slowing += factor * push.surface().friction().ofCoulomb(push.size());
-        }
-        return slowing > 0 ? contacts.particles.mass(i) * speed / slowing : Double.POSITIVE_INFINITY;
     }
 }

@@ -42,10 +42,9 @@ public final class RestingContacts implements Reaction {
     private final Contacts contacts;
     private final ContactModes modes;
     private final Particles particles;
-    final GatherPhase gather;
-    final EvaluatePhase evaluate;
-    final SolvePhase solve;
     final ApplyPhase apply;
+    private final GatherPhase gather;
+    private final EvaluatePhase evaluate;
     private final NormalForces normal;
     private final BlockImpacts impacts;
     private final ContactQueries queries;
@@ -63,13 +62,13 @@ public final class RestingContacts implements Reaction {
         contacts = new Contacts(system, surfaces);
         modes = contacts.getModes();
         particles = contacts.particles;
-        gather = new GatherPhase(contacts);
-        evaluate = new EvaluatePhase(contacts);
-        solve = new SolvePhase(contacts, gather, evaluate);
-        apply = new ApplyPhase(contacts, gather, evaluate, solve);
-        normal = new NormalForces(contacts, gather, evaluate, solve);
-        impacts = new BlockImpacts(contacts, gather, evaluate, solve, apply);
-        queries = new ContactQueries(contacts, gather, evaluate, solve, normal);
+        SolvePhase solve = new SolvePhase(contacts);
+        gather = solve.gather;
+        evaluate = solve.evaluate;
+        apply = new ApplyPhase(solve);
+        normal = new NormalForces(solve);
+        impacts = new BlockImpacts(apply);
+        queries = new ContactQueries(normal);
     }
 
     /** @return who touches what, and how */

@@ -133,7 +133,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public double getLargestAcceleration() {
-        return resting.gather.joined().stream().flatMap(block -> Arrays.stream(block.rows))
+        return resting.apply.solve.gather.joined().stream().flatMap(block -> Arrays.stream(block.rows))
                 .mapToDouble(row -> row.largestAcceleration(particles.getInverseMasses())).max().orElse(0);
     }
 
@@ -151,7 +151,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     /** The contacts of balls, solved together with these constraints. */
     public BallContacts balls() {
-        return new BallContacts(resting);
+        return new BallContacts(resting.apply);
     }
 
     /**

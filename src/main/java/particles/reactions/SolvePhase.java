@@ -20,9 +20,9 @@ final class SolvePhase {
     private static final String JAMMED =
             "let no contact forces keep all particles out: friction or a moving anchor jams them";
 
-    private final Contacts contacts;
-    private final GatherPhase gather;
-    private final EvaluatePhase evaluate;
+    final Contacts contacts;
+    final GatherPhase gather;
+    final EvaluatePhase evaluate;
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
     private double[] right = {};
     private double[] solution = {};
@@ -30,10 +30,10 @@ final class SolvePhase {
     private boolean[] mayOpen = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
 
-    SolvePhase(Contacts contacts, GatherPhase gather, EvaluatePhase evaluate) {
+    SolvePhase(Contacts contacts) {
         this.contacts = contacts;
-        this.gather = gather;
-        this.evaluate = evaluate;
+        gather = new GatherPhase(contacts);
+        evaluate = new EvaluatePhase(contacts);
     }
 
     /**

@@ -22,7 +22,6 @@ final class StaticFriction {
     private static final int MOST_SWEEPS = 1_000;
     private static final int HALVINGS = 60;
 
-    private final EvaluatePhase evaluate;
     private final SolvePhase solve;
     private final NormalForces normal;
     private final Block block;
@@ -70,18 +69,16 @@ final class StaticFriction {
      * @param block the rods and wires of particles that cannot move
      * @param total the forces without these loads (N), to which they are added
      */
-    StaticFriction(GatherPhase gather, EvaluatePhase evaluate, SolvePhase solve, NormalForces normal, Block block,
-            double[] state, double[] total) {
-        this.evaluate = evaluate;
-        this.solve = solve;
+    StaticFriction(NormalForces normal, Block block, double[] state, double[] total) {
         this.normal = normal;
+        solve = normal.solve;
         this.block = block;
         this.state = state;
         this.total = total;
         balanced = total.clone();
         left = total.clone();
         if (!held().allMatch(i -> normal.margin(i, state, total) > 0)) {
-            search(gather);
+            search();
         }
     }
 
@@ -89,17 +86,17 @@ final class StaticFriction {
         return Arrays.stream(block.particles).filter(block.held::get);
     }
 
-    private void search(GatherPhase gather) {
+    private void search() {
         List<Cone> cones = new ArrayList<>();
         held().forEach(i -> {
             size += Vector3.at(total, place(i)).norm1();
             for (Push push : normal.find(i, state, total, true)) {
                 cones.add(new Cone(place(i), push.normal(), push.surface().friction().staticCoefficient(),
-                        evaluate.sliding.skin(i, state, push.normal()), new double[3]));
+                        solve.evaluate.sliding.skin(i, state, push.normal()), new double[3]));
             }
         });
-        Block links = gather.linksBetween(block, held().toArray());
-        evaluate.evaluate(links, state);
+        Block links = solve.gather.linksBetween(block, held().toArray());
+        solve.evaluate.evaluate(links, state);
         double[] before = left.clone();
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             cones.forEach(cone -> cone.balance(left, balanced));
