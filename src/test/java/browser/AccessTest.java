@@ -60,6 +60,8 @@ class AccessTest extends LabPageTestCase {
         until("text('errors').includes('rk4')");
         assertAccessible("mistake");
         edit("solver: rk5", "solver: rk4");
+        page.click("build");
+        assertAccessible("building");
         page.click("showGallery");
         assertAccessible("gallery");
         page.click("closeGallery");

@@ -102,7 +102,7 @@ class PictureTest extends LabPageTestCase {
     @Test
     void aFixedParticleAmongGlowingOnesIsASmallBall() {
         page.openScene("28-fire");
-        until("text('particle') === 'none yet'");
+        until("text('particle') === 'hearth' && value('particle') === ''");
         page.click("start");
         until("view.spots.count > 50 && value('particle').length > 0");
         assertEquals(1, value("view.balls.count"));

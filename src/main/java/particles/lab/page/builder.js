@@ -10,7 +10,8 @@ export class Builder {
     Object.assign(this, {view, hand, phase, edit, begin});
     $('build').onclick = () => this.turn(!hand.builder);
     for (const change of ['toggleFixed', 'remove']) {
-      $(change).onclick = () => phase.id.endsWith(']') ? tell(TEXTS.ofShape(phase.id)) : edit(change, phase.id);
+      $(change).onclick = () => phase.id.endsWith(']')
+          ? tell(TEXTS.ofShape(phase.id)) : phase.id && edit(change, phase.id);
     }
   }
 
