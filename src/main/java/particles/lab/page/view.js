@@ -35,6 +35,7 @@ class NoPicture {
   }
 
   close() {}
+  choose() {}
   setStructure() {}
   setLabels() {}
   setArrows() {}
