@@ -30,26 +30,21 @@ final class StateSpaceExperiments {
     static Run lectureFigures(DeclaredCommand asked) {
         return (folder, progress) -> {
             List<Result> results = progress.each(LectureFigures.ON_SLIDES, Figure::solver, LectureFigures::run);
-            Panel alone = Panel.phase("The vector field (v, \u2212x)", LectureFigures.exactChart(),
-                    Optional.of(LectureFigures.field(1.5))).answered("each solution is a circle");
-            List<Panel> panels = new ArrayList<>(List.of(alone));
-            List<Picture> pictures = new ArrayList<>(List.of(Picture.of("vector-field",
-                    "The vector field of x'' = -x, and the one solution through (1, 0).", alone).again()));
+            List<Panel> panels = new ArrayList<>(List.of(Panel.phase("The vector field (v, \u2212x)",
+                    LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5)))
+                    .answered("each solution is a circle").named("vector-field")));
             for (Result result : results) {
                 Figure figure = result.figure();
                 String step = Digits.exact(figure.deltaT());
-                Panel panel = Panel.phase(figure.solver() + ", deltaT = " + step + " s, " + figure.steps() + " steps",
+                panels.add(Panel.phase(figure.solver() + ", deltaT = " + step + " s, " + figure.steps() + " steps",
                         LectureFigures.chart(result), Optional.of(LectureFigures.field(LectureFigures.reach(result))))
                         .answered(Digits.format("amplitude \u00d7 %.4g, phase %+.3g rad", result.amplitude(),
-                        result.phaseError()));
-                panels.add(panel);
-                pictures.add(Picture.of(figure.solver() + "-" + step + "s-" + figure.steps() + "-steps",
-                        panel.title() + ".", panel).again());
+                        result.phaseError())).named(figure.solver() + "-" + step + "s-" + figure.steps() + "-steps"));
             }
             String title = "The slides' figures: x'' = \u2212x in state space";
-            pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
-                    title, panels));
-            return asked.page(title, pictures, List.of(LectureFigures.table(results)));
+            return asked.page(title, List.of(Picture.panels("all-figures",
+                    "All figures beside each other; each has its own scale.", title, panels)),
+                    List.of(LectureFigures.table(results)));
         };
     }
 

@@ -78,7 +78,8 @@ final class Arnoldi {
                 return;
             }
             hessenberg.set(column + 1, column, next);
-            y = Linearisation.divided(image.data, next);
+            CommonOps_DDRM.divide(image, next);
+            y = image.data;
         }
     }
 

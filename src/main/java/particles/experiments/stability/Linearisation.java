@@ -55,12 +55,8 @@ final class Linearisation {
     /** @return a direction of length 1 without preference, the same every time */
     static double[] random(int size) {
         double[] q = new SplittableRandom(SEED).doubles(size, -0.5, 0.5).toArray();
-        return divided(q, Gmres.norm(q));
-    }
-
-    /** @return a vector divided by a number */
-    static double[] divided(double[] a, double by) {
-        return Arrays.stream(a).map(x -> x / by).toArray();
+        double length = Gmres.norm(q);
+        return Arrays.stream(q).map(x -> x / length).toArray();
     }
 
     /** @return the damping of a spring that answers velocities of this shape: -p B p / p p (1/s) */

@@ -25,10 +25,9 @@ import particles.view.Series;
  * @param panels   the charts, row by row; series of the same name share the legend
  * @param drawn    the whole page instead of charts
  * @param first    the solvers that a slide shows first, as it has at most five
- * @param repeated whether it shows a part of a larger picture of the page again, in a file of its own
  */
 public record Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn,
-        List<String> first, boolean repeated) {
+        List<String> first) {
     /** The largest number of solvers in one chart of a page. */
     private static final int CURVES = 6;
     private static final int CURVES_ON_A_SLIDE = 5;
@@ -49,7 +48,7 @@ public record Picture(String name, String caption, String title, List<Panel> pan
 
     /** @return a picture with many panels */
     public static Picture panels(String name, String caption, String title, List<Panel> panels) {
-        return new Picture(name, caption, title, panels, Optional.empty(), List.of(), false);
+        return new Picture(name, caption, title, panels, Optional.empty(), List.of());
     }
 
     /** @return a picture whose file is already in the folder, an animation */
@@ -59,17 +58,12 @@ public record Picture(String name, String caption, String title, List<Panel> pan
 
     /** @return a picture that is more than charts, the same in all formats */
     public static Picture drawn(String name, String caption, ChartPage page) {
-        return new Picture(name, caption, "", List.of(), Optional.of(page), List.of(), false);
-    }
-
-    /** @return the picture, marked as a part of a larger one of the page */
-    public Picture again() {
-        return new Picture(name, caption, title, panels, drawn, first, true);
+        return new Picture(name, caption, "", List.of(), Optional.of(page), List.of());
     }
 
     /** @return the picture with the solvers that a slide shows first, if there are more than five */
     public Picture first(List<String> solvers) {
-        return new Picture(name, caption, title, panels, drawn, solvers, repeated);
+        return new Picture(name, caption, title, panels, drawn, solvers);
     }
 
     /** @return the name of the picture's file */

@@ -64,7 +64,6 @@ public record Report(String title, List<String> text, List<Section> sections, St
             <p>{{.}}</p>
             {{/text}}
             {{#pictures}}
-            {{^repeated}}
             <figure id="{{task}}-{{file}}"{{#isAnimation}} class="animation"{{/isAnimation}}>
             <img alt="{{caption}}" src="data:image/gif;base64,{{#bytes}}{{{folder}}}{{/bytes}}"/>
             <figcaption>{{caption}}</figcaption>
@@ -78,7 +77,6 @@ public record Report(String title, List<String> text, List<Section> sections, St
             </tbody></table></div>
             {{/ends}}
             </figure>
-            {{/repeated}}
             {{/pictures}}
             {{/page}}
             {{#tables}}

@@ -74,9 +74,8 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
      * @return the page with pictures that have no more curves and charts than the format allows
      */
     public ResultPage laidOut(ChartFormat format) {
-        boolean parts = format.slide() && pictures.stream().anyMatch(Picture::repeated);    // and no whole of them
-        return new ResultPage(name, title, text, pictures.stream().filter(picture -> !parts
-                || picture.panels().size() == 1).flatMap(picture -> picture.laidOut(format).stream()).toList(), tables);
+        return new ResultPage(name, title, text, pictures.stream().flatMap(picture -> picture.laidOut(format).stream())
+                .toList(), tables);
     }
 
     /**

@@ -149,10 +149,5 @@ class ResultPageTest {
                 .first(List.of("radau", "rk4")).laidOut(new ChartFormat(true, false, false));
         assertEquals(List.of("many", "many-again"), slides.stream().map(Picture::name).toList());
         assertEquals(List.of(List.of("euler", "midpoint", "rk4", "radau", "Mine")), names(slides.get(0)));
-        Panel panel = slides.get(0).panels().get(0);
-        ResultPage page = new ResultPage("p", "t", List.of(), List.of(Picture.panels("all", "", "t", List.of(panel,
-                panel)), Picture.of("part", "", panel).again()), List.of());
-        assertEquals(List.of("part"), page.laidOut(new ChartFormat(true, false, false)).pictures().stream()
-                .map(Picture::name).toList(), "and not the whole once more");
     }
 }
