@@ -42,4 +42,14 @@ public interface EventRule extends Rule {
     default boolean mayTurnWithin(ParticleSystem system, double time) {
         return false;
     }
+
+    /**
+     * Tells whether a step at which the solver fails may be made as two of half the length, since the rule, which acts
+     * after each, then has less to change.
+     *
+     * @return whether the step may be divided
+     */
+    default boolean mayDivide() {
+        return false;
+    }
 }

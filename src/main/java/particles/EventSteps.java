@@ -64,6 +64,11 @@ final class EventSteps {
         }
     }
 
+    /** Whether a step at which the solver fails may be made as two of half the length. */
+    boolean mayDivide() {
+        return rules.stream().anyMatch(EventRule::mayDivide);
+    }
+
     /** Whether a step may have events; its motions are then always recorded. */
     boolean areLookedFor() {
         return !rules.isEmpty();

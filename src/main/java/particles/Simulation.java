@@ -19,6 +19,8 @@ import particles.law.Violation;
 public final class Simulation {
     /** Times that differ by this fraction of deltaT are the same, but for round-off. */
     private static final double ROUNDING = 1e-6;
+    /** The shortest part of a step that is divided where the solver fails, relative to the step. */
+    private static final double SHORTEST_PART = 0x1p-6;
     /** The largest violation of a constraint in a run, relative to its scale. */
     private static final double WRONG = 0.1;
 
@@ -191,7 +193,10 @@ public final class Simulation {
         return next;
     }
 
-    /** Makes one step that counts as this many. A step as long as deltaT but for round-off is exactly that long. */
+    /**
+     * Makes one step that counts as this many. A step as long as deltaT but for round-off is exactly that long. One at
+     * which the solver fails is divided where a rule allows it: the rest of the step is then as with half the deltaT.
+     */
     private void step(double end, int counted) {
         double left = end - system.getTime();
         double h = Math.abs(left - deltaT) <= ROUNDING * deltaT ? deltaT : left;
@@ -205,6 +210,13 @@ public final class Simulation {
             // calls solver.stepState; in pieces if there are events
             recorded = eventSteps.move(h, end, recordMotion);
         } catch (DESolverException e) {
+            double rest = end - system.getTime();       // the system is back at the beginning or its last event
+            if (rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
+                solver.reset();
+                step(end - rest / 2, 0);
+                step(end, counted);
+                return;
+            }
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }

@@ -23,6 +23,14 @@ import deSolvers.linear.SolverWork;
  * and (g<sub>complex</sub>/g<sub>real</sub>)<sup>2</sup>, however stiff the springs are.
  */
 final class ReducedVelocitySystem implements ShiftedJacobian {
+    /**
+     * Newton's method needs 5 to 15 iterations for cloth in contact, or it creeps for 40 to 1,000, which cost ten times
+     * as much each: twice a shorter step is less work.
+     */
+    private static final int MOST_IN_CONTACT = 20;
+    private static final int MOST_ITERATIONS = 1000;
+
+
     private final SolverWork work;
     private final ForceJacobian jacobian;
     private final BlockSolver solver;
@@ -73,10 +81,13 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         solver.forget();
     }
 
-    /** A stiff cloth that begins to buckle needs some hundreds, each of which leads down to lower energy. */
+    /**
+     * A stiff cloth that begins to buckle needs some hundreds, each of which leads down to lower energy. In contact no
+     * energy shows the way.
+     */
     @Override
     public int mostIterations() {
-        return 1000;
+        return jacobian.isInContact() ? MOST_IN_CONTACT : MOST_ITERATIONS;
     }
 
     @Override

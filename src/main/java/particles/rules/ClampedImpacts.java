@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.law.Vector3;
@@ -33,7 +32,7 @@ import particles.reactions.Tolerances;
  * particles.reactions.Contacts#stopAfter}; where that would let it slide visibly too far, the step is divided at the
  * stop.
  */
-public final class ClampedImpacts extends Impacts implements EventRule {
+public final class ClampedImpacts extends Impacts {
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
     private final boolean hasSpheres;

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.DoubleSupplier;
-import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.law.Vector3;
@@ -23,7 +22,7 @@ import particles.reactions.Tolerances;
  * the surface's rest speed while it is pressed on stays in contact. The end of a contact, of sliding and of sticking
  * are events too. Particles are never lifted, so no energy is added and the solver keeps its order.
  */
-public final class ExactImpacts extends Impacts implements EventRule {
+public final class ExactImpacts extends Impacts {
     private Optional<Collisions> balls = Optional.empty();
 
     /** @param resting the surfaces and the particles in contact with them */

@@ -1,8 +1,8 @@
 package particles.rules;
 
 import java.util.List;
+import particles.EventRule;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.ContactModes;
@@ -18,7 +18,7 @@ import particles.reactions.Tolerances;
  * the time at which an impact or the end of a contact is found: {@link ClampedImpacts} at the end of the step, {@link
  * ExactImpacts} where it happens.
  */
-abstract class Impacts implements Rule {
+abstract class Impacts implements EventRule {
     static final int STRIDE = Particles.STRIDE;
 
     final RestingContacts resting;
@@ -74,6 +74,12 @@ abstract class Impacts implements Rule {
         this.deltaT = deltaT;
         contacts.beginStep();
         forceKnown = false;
+    }
+
+    /** {@inheritDoc} In contact, where it is an unknown of a step which surfaces push and where friction stops. */
+    @Override
+    public final boolean mayDivide() {
+        return modes.isAnyTouching();
     }
 
     /** The effects' forces in the present state. Clamped impacts evaluate them at most once in most steps. */
