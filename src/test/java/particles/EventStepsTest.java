@@ -1,12 +1,15 @@
 package particles;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
+import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
@@ -118,6 +121,63 @@ class EventStepsTest {
         @Override
         public boolean mayTurnWithin(ParticleSystem system, double time) {
             return near;
+        }
+    }
+
+    /**
+     * A solver that fails at steps over 0.03 s makes those of 0.1 s in four parts, of which the first has an event, and
+     * the rule acts after each.
+     */
+    @Test
+    void aStepAtWhichTheSolverFailsIsDividedWhereARuleAllowsIt() {
+        List<Double> acts = new ArrayList<>();
+        Sequence contact = new Sequence(n -> n == 0 ? 0.01 : Double.POSITIVE_INFINITY) {
+            @Override
+            public boolean mayDivide() {
+                return true;
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                acts.add(system.getTime());
+                return false;
+            }
+        };
+        assertEquals(0.2, run(contact, () -> new Short(0.03)).getOwnState()[0], 1e-15);
+        double[] ends = {0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2};
+        assertArrayEquals(ends, acts.stream().mapToDouble(t -> t).toArray(), 1e-15);
+    }
+
+    /** At most into 64 parts; and not at all without such a rule. */
+    @Test
+    void aStepIsNotDividedForEver() {
+        Sequence contact = new Sequence(n -> Double.POSITIVE_INFINITY) {
+            @Override
+            public boolean mayDivide() {
+                return true;
+            }
+        };
+        assertEquals(0.2, run(contact, () -> new Short(0.1 / 63)).getOwnState()[0], 1e-14);
+        assertThrows(SimulationException.class, () -> run(contact, () -> new Short(0.1 / 65)));
+        assertThrows(SimulationException.class,
+                () -> run(new Sequence(n -> Double.POSITIVE_INFINITY), () -> new Short(0.09)));
+    }
+
+    /** Euler's method, but it fails at steps longer than it likes. */
+    private static final class Short extends DESolver {
+        private final EulerSolver euler = new EulerSolver();
+        private final double longest;
+
+        Short(double longest) {
+            this.longest = longest;
+        }
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            if (deltaT > longest) {
+                throw new DESolverException(Short.class, source.getTime(), deltaT, -1, "too long", "");
+            }
+            euler.stepState(source, deltaT);
         }
     }
 

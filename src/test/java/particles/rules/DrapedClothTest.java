@@ -3,6 +3,8 @@ package particles.rules;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.scene.ShortRun;
@@ -33,6 +35,24 @@ class DrapedClothTest {
         double exact = energy(ShortRun.of("rk4 clamp 0.001 1", CLOTH));
         ShortRun run = ShortRun.of(solver + " clamp " + deltaT + " 1", CLOTH);
         assertEquals(exact, energy(run), bound);
+        assertOutside(run);
+    }
+
+    /**
+     * 900 particles without damping: whole steps have equations that Newton's method does not solve, and are divided.
+     * Measured: of 6.47 J, 4.110 J are left after 1.5 s, with rk4 and a deltaT of 0.001 s 4.099 J.
+     */
+    @Test
+    @Tag("hard")
+    void backwardEulerDrapesAFineCloth() {
+        String fine = CLOTH.replace("columns: 12, rows: 12", "columns: 30, rows: 30")
+                .replaceAll(", damping: 0\\.[0-9]+", "");
+        ShortRun run = ShortRun.of("backward-euler clamp 0.016666667 1.5", fine);
+        assertEquals(energy(ShortRun.of("rk4 clamp 0.001 1.5", fine)), energy(run), 0.05);
+        assertOutside(run);
+    }
+
+    private static void assertOutside(ShortRun run) {
         double[] state = run.getState();
         for (int x = 0; x < state.length; x += 6) {
             double radius = Math.sqrt(state[x] * state[x] + state[x + 1] * state[x + 1] + state[x + 2] * state[x + 2]);
