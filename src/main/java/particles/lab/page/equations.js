@@ -26,14 +26,14 @@ const span = numbers => TEXTS.span([...new Set([Math.min(...numbers), Math.max(.
 export function showEquations({solver, laws, dampings}, {stiffness, restLengths}) {
   const springs = [...stiffness.keys()].filter(s => stiffness[s] < Infinity);
   const of = column => springs.map(s => column[s]);
-  const all = [...(springs.length ? [{name: 'springs', lines: ['k = ' + span(of(stiffness)) + ' N/m',
-    'l = ' + span(of(restLengths)) + ' m', 'k_d = ' + span(dampings) + ' N s/m']}] : []),
-  ...laws.map(({name, numbers}) => ({name, lines: numbers.map(([key, value, unit]) =>
-    `${key} = ${shown(value)} ${unit.replace('^2', '²')}`.trim())}))];
-  $('equations').replaceChildren(...all.filter(({name}) => FORMULAS[name]).flatMap(({name, lines}) => [
+  const all = new Map(springs.length ? [['springs', [['k = ' + span(of(stiffness)) + ' N/m',
+    'l = ' + span(of(restLengths)) + ' m', 'k_d = ' + span(dampings) + ' N s/m']]]] : []);
+  laws.forEach(({name, numbers}) => all.set(name, [...all.get(name) ?? [], numbers.map(([key, value, unit]) =>
+    `${key} = ${shown(value)} ${unit.replace('^2', '²')}`.trim())]));
+  $('equations').replaceChildren(...[...all].filter(([name]) => FORMULAS[name]).flatMap(([name, each]) => [
     make('h2', {textContent: name}),
     ...FORMULAS[name].split('\n').filter(line => !/^\w+:/.test(line) || line.startsWith(name + ':'))
         .map(line => make('p', {innerHTML: line.trim().split(/ {2,}/).map(typeset).join(' &emsp;')})),
-    make('p', {className: 'soft', textContent: lines.join(', ')})]),
+    ...each.map(lines => make('p', {className: 'soft', textContent: lines.join(', ')}))]),
     ...(FORMULAS[solver] ? [make('h2', {textContent: solver}), make('pre', {textContent: FORMULAS[solver]})] : []));
 }

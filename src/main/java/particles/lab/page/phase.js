@@ -133,7 +133,8 @@ export class PhaseSpace {
   /** The reference runs for as long as it may and, beyond that, until it is where the picture is. */
   runReference() {
     const done = this.done;
-    if (this.reference && !done.running && !done.over && (done.milliseconds < AHEAD || done.reached < this.time)) {
+    if (this.reference && !done.running && !done.over && (done.reached < this.time
+        || done.milliseconds < AHEAD && done.reached < this.facts.duration)) {
       done.running = true;
       this.reference.postMessage({type: 'run', milliseconds: SLICE});
       this.reference.postMessage(this.question());
@@ -159,7 +160,7 @@ export class PhaseSpace {
         this.runReference();
       }
     };
-    this.reference.postMessage(opening);
+    this.reference.postMessage({...opening, endless: true});
     this.runReference();
   }
 }
