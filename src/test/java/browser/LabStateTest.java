@@ -185,7 +185,7 @@ class LabStateTest extends LabPageTestCase {
         page.click("step");
         until("text('steps') === '1'");
         // the circle and the verdict that the question asks for are beside the picture
-        until("text('nearest').includes('Nearest: run 1: midpoint, ')");
+        until("text('nearest').includes('Nearest: midpoint (run 1); euler (run 2) is ')");
         assertEquals(List.of(), page.script("""
                 return ['phase', 'nearest'].filter(id => {
                   const {top, bottom} = document.getElementById(id).getBoundingClientRect();

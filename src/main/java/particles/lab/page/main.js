@@ -90,7 +90,7 @@ function openText(newText, settings = {}) {
 function describe() {
   const scene = $('scene').value;
   return {scene: scene.replace('.yaml', ''), ...(text !== textOf(scene) && {text}), ...chosen,
-    time: player.playing ? 0 : player.frame?.time, panels: panels.describe(), equalWork: $('equalWork').checked,
+    time: player.playing ? 0 : player.frame?.time, panels: panels.describe(), equalWork: Boolean($('equalWork').value),
     camera: view.camera?.describe(), ...phase.describe(), ...(lecture.on && {lecture: lecture.slide})};
 }
 
@@ -107,7 +107,7 @@ function openState(state) {
     throw new Error(state.scene);
   }
   $('scene').value = name ?? $('scene').value;
-  $('equalWork').checked = Boolean(state.equalWork);
+  $('equalWork').value = state.equalWork ? 'on' : '';
   panels.set(state.panels ?? []);
   openText(state.text ?? own, {solver: String(state.solver ?? ''), deltaT: String(state.deltaT ?? ''),
     tolerance: Number(state.tolerance) || 0, set: String(state.set ?? '')});
@@ -308,9 +308,9 @@ function pulled(id, point) {
 /** Compares the runs of one scene, once all are opened. */
 function startNearest() {
   if (structure && panels.all.every(panel => panel.facts)) {
-    nearest.start([{name: TEXTS.run(1) + ': ' + facts.solver, opening: good}, ...panels.all
+    nearest.start([{name: TEXTS.named(facts.solver, TEXTS.run(1)), opening: good}, ...panels.all
         .filter(({choice}) => choice.text === undefined).map(({name, index, choice, opening}) =>
-        ({name: name + ': ' + choice.solver, colour: COLOURS[index], opening}))], good, facts, structure);
+        ({name: TEXTS.named(choice.solver, name), colour: COLOURS[index], opening}))], good, facts, structure);
   }
 }
 
@@ -388,13 +388,13 @@ $('open').onchange = async () => {
 
 /** Scene and solver, in the names of files. */
 const nameOfRun = () => $('scene').value.replace(/\.yaml$/, '') + '-' + facts.solver;
-/** What is written into pictures and films: also the address, where others can open it. */
+/** What is written into pictures and films: also the address or, of a page on a disk, what others can use of it. */
 function linesOfFilm() {
   return [facts.title, captionOf(facts) + momentOf(player.frame),
-    ...(location.protocol === 'file:' ? [] : [location.href.replace(/&more=.*/, '')])];
+    (location.protocol === 'file:' ? location.hash : location.href).replace(/&?more=.*/, '')];
 }
 
-offer(nameOfRun, film, energy, phasePlot);
+offer(nameOfRun, linesOfFilm, film, energy, phasePlot);
 $('saveTable').onclick = () => player.tell({type: 'table', energies: facts.energies});
 $('savePicture').disabled = $('film').disabled = $('build').disabled = !view.camera;          // without WebGL there is none
 

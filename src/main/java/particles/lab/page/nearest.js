@@ -5,6 +5,7 @@ import {referenceOf} from './phase.js';
 
 const TOLERANCES = [1e-10, 1e-9], SAMPLES = 200;
 const CLEAR = 2, PARTED = 0.1;          // times nearer than the next; of the motion's size
+const MAGNIFIED = 1e-3;                 // of that size too: a million times the tolerance; without chaos, at most 2e-6
 
 export class Nearest {
   /** plot: of the distances over time */
@@ -56,7 +57,7 @@ export class Nearest {
     return failure === '' && ids === this.samples[0][0].ids;
   }
 
-  /** The mean distances of all runs and, where that is clear, which is nearest. */
+  /** The mean distances of all runs, where that is clear which is nearest, and whether the references have parted. */
   verdict() {
     const [reference, other, ...own] = this.samples;
     const times = [...reference.keys()].filter(k => [reference, other].every(one => this.isComparable(one[k])));
@@ -64,9 +65,11 @@ export class Nearest {
         : Infinity), 0) / times.length;
     const uncertainty = mean(other, k => reference[k]);
     const size = Math.max(...times.map(k => distance(reference[k], reference[0])));
+    const last = times.at(-1), apart = distance(reference[last], other[last]);
     const runs = own.map((one, i) => ({name: this.runs[i].name, metres: mean(one, k => reference[k])}));
-    return TEXTS.meanDistances(few(reference[times.at(-1)].time), runs.map(({name, metres}) => metres < Infinity
-        ? name + ' ' + few(metres, 2) + ' m' : TEXTS.stops(name))) + nearestOf(runs, uncertainty, size);
+    return TEXTS.meanDistances(few(reference[last].time), runs.map(({name, metres}) => metres < Infinity
+        ? name + ' ' + few(metres, 2) + ' m' : TEXTS.stops(name))) + nearestOf(runs, uncertainty, size)
+        + (apart > MAGNIFIED * size ? TEXTS.parted(few(apart, 2)) : '');
   }
 }
 

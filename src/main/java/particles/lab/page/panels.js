@@ -99,7 +99,7 @@ class Panel {
     solver.append(...this.panels.solvers.map(one => new Option(one.name)));
     solver.value = this.choice.solver;
     solver.onchange = () => this.choose({solver: solver.value});
-    this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
+    this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: Boolean($('equalWork').value)});
     this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
     const remove = make('button', {textContent: TEXTS.remove, onclick: () => this.panels.remove(this)});
     this.error = make('p');
@@ -134,7 +134,7 @@ class Panel {
       deltaT: String(deltaT || (text === undefined ? facts.deltaT : ''))};
     this.facts = null;
     this.note = '';
-    this.equalise = $('equalWork').checked ? own => this.openEqually(opening, this.panels.equalStep(own, facts)) : null;
+    this.equalise = $('equalWork').value ? own => this.openEqually(opening, this.panels.equalStep(own, facts)) : null;
     this.worker.postMessage(opening);
   }
 

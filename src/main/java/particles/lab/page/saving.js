@@ -40,8 +40,8 @@ function compose(element, canvas, lines) {
   lines.forEach((line, i) => c.fillText(line, LINE / 2, HEIGHT + LINE * (i + 0.5 - lines.length)));
 }
 
-/** Draws a plot once as wide as a picture; with a ground, as its own canvas has none, and the names of its curves. */
-function plotImage({plot, element}) {
+/** Draws a plot once as wide as a picture; with a ground, the names of its curves, and lines. */
+function plotImage({plot, element}, lines) {
   const {hooks, ctx, width, height} = plot, drawn = ctx.canvas, scale = 2, k = scale / devicePixelRatio;
   const names = [...element.querySelectorAll('.u-series')].slice(1).filter(row => !row.hidden);   // the first is time
   return new Promise(done => {
@@ -52,7 +52,7 @@ function plotImage({plot, element}) {
     hooks.draw = [() => {
       hooks.drawClear = hooks.draw = [];
       const canvas = document.createElement('canvas'), c = canvas.getContext('2d');
-      Object.assign(canvas, {width: WIDTH, height: drawn.height + 18 * scale * names.length});
+      Object.assign(canvas, {width: WIDTH, height: drawn.height + 18 * scale * (names.length + lines.length)});
       c.fillStyle = ink('--panel');
       c.fillRect(0, 0, canvas.width, canvas.height);
       c.drawImage(drawn, 0, 0);
@@ -65,6 +65,7 @@ function plotImage({plot, element}) {
         c.fillStyle = ink('--ink');
         c.fillText(row.querySelector('.u-label').textContent, 28, y + 11);
       });
+      lines.forEach((line, i) => c.fillText(line, 12, drawn.height / scale + 18 * (names.length + i) + 11));
       done(canvas);
       queueMicrotask(() => plot.setSize({width, height}));      // after this drawing
     }];
@@ -74,11 +75,11 @@ function plotImage({plot, element}) {
 
 const savePicture = (name, canvas) => canvas.toBlob(blob => save(name + '.png', blob));
 
-/** The buttons that save pictures. name(): the beginning of the files' names */
-export function offer(name, film, energy, phase) {
+/** The buttons that save pictures. name(): the beginning of the files' names; lines(): what is written into them */
+export function offer(name, lines, film, energy, phase) {
   $('savePicture').onclick = () => savePicture(name(), film.picture());
-  $('saveEnergy').onclick = async () => savePicture(name() + '-energy', await plotImage(energy));
-  $('savePhase').onclick = async () => savePicture(name() + '-phase', await plotImage(phase));
+  $('saveEnergy').onclick = async () => savePicture(name() + '-energy', await plotImage(energy, lines()));
+  $('savePhase').onclick = async () => savePicture(name() + '-phase', await plotImage(phase, lines()));
   $('film').onclick = () => film.toggle(name);
 }
 
