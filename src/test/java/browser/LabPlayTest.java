@@ -210,6 +210,11 @@ class LabPlayTest extends LabPageTestCase {
         until("Object.keys(window.saved).length === 5");
         assertEquals(List.of(), page.later("""
                 const [done] = arguments, name = end => window.saved['14-thrown-dumbbell-verlet' + end];
+                const isNamed = plot => {
+                  const c = Object.assign(document.createElement('canvas'), {width: 400, height: 30}).getContext('2d');
+                  c.drawImage(plot, 0, 30 - plot.height);
+                  return c.getImageData(0, 0, 400, 30).data.some((value, i) => i % 4 === 0 && value < 100);
+                };
                 Promise.all([createImageBitmap(name('.png')), createImageBitmap(name('-energy.png')),
                   createImageBitmap(name('-phase.png')), name('.csv').text(), name('.webm').arrayBuffer()])
                   .then(([picture, energy, phase, table, film]) => {
@@ -220,6 +225,7 @@ class LabPlayTest extends LabPageTestCase {
                       again: document.querySelector('#view canvas').width < 1200,
                       plots: [energy, phase].every(plot => plot.width === 1920 && plot.height > 600)
                         && document.querySelector('#energy canvas').width < 900,
+                      named: [energy, phase].every(isNamed),
                       head: rows[0].startsWith('time (s),total (J),kinetic (J),'),
                       rows: rows.length === 2 + Number(document.getElementById('steps').textContent),
                       time: Math.abs(last[0] - 1.6) < 1e-12,

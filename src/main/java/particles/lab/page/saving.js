@@ -65,6 +65,7 @@ function plotImage({plot, element}, lines) {
         c.fillStyle = ink('--ink');
         c.fillText(row.querySelector('.u-label').textContent, 28, y + 11);
       });
+      c.fillStyle = ink('--ink');
       lines.forEach((line, i) => c.fillText(line, 12, drawn.height / scale + 18 * (names.length + i) + 11));
       done(canvas);
       queueMicrotask(() => plot.setSize({width, height}));      // after this drawing

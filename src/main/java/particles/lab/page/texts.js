@@ -3,9 +3,10 @@ const TEXTS = {
   // in the elements with these ids or, where they have labels, in those
   elements: {scene: 'Scene', showGallery: 'Pictures of scenes', startLecture: 'Lecture', copyLink: 'Copy link',
     showEditor: 'Scene file', slides: 'Slide', endLecture: 'End', closeGallery: 'Close', time: 'Time', start: 'Start',
-    step: 'One step', restart: 'From the start', speed: 'Speed', atEnd: 'At the end', build: 'Build', toggleFixed: 'Fix or free', remove: 'Delete', undo: 'Undo',
-    between: 'From mass to mass', buildingHelp: 'Click to place or choose a mass; drag from one to another to join them.'
-      + ' Without a mouse, edit the scene file.', fullScreen: 'Full screen',
+    step: 'One step', restart: 'From the start', speed: 'Speed', atEnd: 'At the end', build: 'Build',
+    toggleFixed: 'Fix or free', remove: 'Delete', undo: 'Undo', between: 'From mass to mass',
+    buildingHelp: 'Click to place or choose a mass; drag from one to another to join them. Without a mouse, edit the'
+      + ' scene file.', fullScreen: 'Full screen',
     arrows: 'velocities', forces: 'forces', labels: 'names', saving: 'Save picture, plots, table or film',
     savePicture: 'Picture', saveEnergy: 'Energy plot', savePhase: 'Phase plot', saveTable: 'Table (CSV)', film: 'Film',
     stepsName: 'Steps', evaluationsName: 'Evaluations', paceName: 'Simulated time per second', secondsName: 'CPU time',
