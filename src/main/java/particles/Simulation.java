@@ -36,6 +36,7 @@ public final class Simulation {
     private long planned;                               // steps
     private long before;                                // steps before it was prolonged
     private long steps;
+    private long divisions;
 
     /**
      * @param system      the system
@@ -212,6 +213,7 @@ public final class Simulation {
         } catch (DESolverException e) {
             double rest = end - system.getTime();       // the system is back at the beginning or its last event
             if (rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
+                divisions++;
                 solver.reset();
                 step(end - rest / 2, 0);
                 step(end, counted);
@@ -268,6 +270,11 @@ public final class Simulation {
     /** @return the number of events located so far */
     public long getEvents() {
         return eventSteps.getEvents();
+    }
+
+    /** @return how often a step, or a part of one, was divided since the solver failed at it */
+    public long getDivisions() {
+        return divisions;
     }
 
     /** @return the number of steps made so far */

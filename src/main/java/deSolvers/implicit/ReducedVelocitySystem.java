@@ -30,7 +30,6 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private static final int MOST_IN_CONTACT = 20;
     private static final int MOST_ITERATIONS = 1000;
 
-
     private final SolverWork work;
     private final ForceJacobian jacobian;
     private final BlockSolver solver;

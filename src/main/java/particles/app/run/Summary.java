@@ -103,6 +103,10 @@ record Summary(String name, String hash, String set, Scene scene, EnergyRecorder
                 + counted(simulation().getSteps(), "step") + " with "
                 + counted(scene.system().getEvaluations(), "evaluation") + " of the derivative; run time "
                 + Digits.few(Math.round(100 * seconds) / 100.0) + " s");
+        long divisions = simulation().getDivisions();
+        if (divisions > 0) {
+            lines.add(solverName + " failed at steps in contact, which were halved " + counted(divisions, "time"));
+        }
         if (deltaT > duration && simulation().getSteps() == 1) {
             lines.add("the run is shorter than deltaT: its only step was " + Digits.few(time) + " s long");
         }

@@ -45,6 +45,28 @@ class SummaryTest {
         return new Summary("one \"spring\"", "ab12", "deltaT=0.5", scene, energy, 0.25);
     }
 
+    /** A step as long as a twelfth of the fall, in which 64 particles begin to touch and slide. */
+    @Test
+    void stepsThatWereHalvedAreCounted() {
+        String text = """
+                title: A cloth on a ball
+                teaches: Contact.
+                solver: backward-euler
+                deltaT: %s
+                duration: 0.6
+                shapes:
+                  - cloth: {corner: [-1, 1.1, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 8, rows: 8,
+                            totalMass: 0.6, structural: {stiffness: 200}, shear: {stiffness: 100},
+                            bend: {stiffness: 5}}
+                effects: [gravity, drag: {coefficient: 0.0005}]
+                rules:
+                  - sphere: {centre: [0, 0, 0], radius: 1, restitution: 0, friction: {law: coulomb, coefficient: 0.4}}
+                """;
+        assertEquals("backward-euler failed at steps in contact, which were halved 2 times",
+                lines(text.formatted(0.05)).get(2));
+        assertStarts(lines(text.formatted(0.01)).get(2), "energy:");
+    }
+
     /** A ball between two others, 0.1 mm from each: at 1 m/s it hits one of them 5,000 times a second. */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 1})
