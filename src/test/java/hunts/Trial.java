@@ -147,8 +147,9 @@ final class Trial implements Observer {
     boolean mayJam() {
         List<Reaction> reactions = system.getReactions();
         return reactions.stream().anyMatch(RigidConstraints.class::isInstance) && reactions.stream()
-                .anyMatch(reaction -> reaction instanceof RestingContacts resting && resting.getContacts().getSurfaces()
-                        .stream().anyMatch(surface -> surface.friction().coefficient() > 0))
+                .anyMatch(reaction -> reaction instanceof RestingContacts resting
+                        && resting.getContacts().getSurfaces().stream()
+                                .anyMatch(surface -> surface.friction().coefficient() > 0))
                 || system.getMovingAnchors().length > 0
                 && reactions.stream().anyMatch(reaction -> reaction.getName().equals("rods and wires"));
     }

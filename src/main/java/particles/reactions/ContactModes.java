@@ -20,20 +20,47 @@ public final class ContactModes {
     }
 
     private final Particles particles;
-    private final Mode[] free;                          // of all particles that never touched any surface
-    private Mode[][] modes = {};                        // by particle and surface
+    private final int surfaces;
+    private final Contacts free;                        // of all particles that never touched any surface
+    private Contacts[] contacts = {};                   // by particle
     private int touching;
     private int changes;
 
     /** Makes modes for a number of surfaces, all free. */
     public ContactModes(Particles particles, int surfaces) {
         this.particles = particles;
-        free = new Mode[surfaces];
-        Arrays.fill(free, Mode.FREE);
+        this.surfaces = surfaces;
+        free = new Contacts(surfaces);
     }
 
-    private Mode[] of(int particle) {
-        return particle < modes.length ? modes[particle] : free;
+    /** The modes of a particle, with the answers that rules and forces ask for in every step. */
+    private static final class Contacts {
+        private final Mode[] modes;                     // by surface
+        private Mode most = Mode.FREE;
+        private int touched;                            // the number of surfaces that it touches
+        private int last = -1;                          // the last of them
+
+        Contacts(int surfaces) {
+            modes = new Mode[surfaces];
+            Arrays.fill(modes, Mode.FREE);
+        }
+
+        void set(int surface, Mode mode) {
+            modes[surface] = mode;
+            most = Mode.FREE;
+            touched = 0;
+            for (int p = 0; p < modes.length; p++) {
+                if (modes[p] != Mode.FREE) {
+                    most = modes[p].compareTo(most) > 0 ? modes[p] : most;
+                    touched++;
+                    last = p;
+                }
+            }
+        }
+    }
+
+    private Contacts of(int particle) {
+        return particle < contacts.length ? contacts[particle] : free;
     }
 
     /**
@@ -42,7 +69,7 @@ public final class ContactModes {
      * @return the particle's mode at the surface
      */
     public Mode get(int surface, int particle) {
-        return of(particle)[surface];
+        return of(particle).modes[surface];
     }
 
     /**
@@ -56,15 +83,15 @@ public final class ContactModes {
             return;
         }
         changes++;
-        int known = modes.length;
+        int known = contacts.length;
         if (known < particles.count()) {
-            modes = Arrays.copyOf(modes, particles.count());
-            Arrays.fill(modes, known, modes.length, free);
+            contacts = Arrays.copyOf(contacts, particles.count());
+            Arrays.fill(contacts, known, contacts.length, free);
         }
-        if (modes[particle] == free) {
-            modes[particle] = free.clone();
+        if (contacts[particle] == free) {
+            contacts[particle] = new Contacts(surfaces);
         }
-        modes[particle][surface] = mode;
+        contacts[particle].set(surface, mode);
         touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
     }
 
@@ -75,7 +102,7 @@ public final class ContactModes {
      * @param mode     sliding or sticking
      */
     public void setWhereTouching(int particle, Mode mode) {
-        for (int p = 0; p < free.length; p++) {
+        for (int p = 0; p < surfaces; p++) {
             if (get(p, particle) != Mode.FREE) {
                 set(p, particle, mode);
             }
@@ -84,28 +111,20 @@ public final class ContactModes {
 
     /** The surface that a particle touches, if it is one only; -1 otherwise. */
     int only(int particle) {
-        int only = -1;
-        int count = 0;
-        for (int p = 0; p < free.length; p++) {
-            if (of(particle)[p] != Mode.FREE) {
-                only = p;
-                count++;
-            }
-        }
-        return count == 1 ? only : -1;
+        return of(particle).touched == 1 ? of(particle).last : -1;
     }
 
     /** Updates indices after particles were removed. */
     public void reindex(int[] newIndex) {
-        Mode[][] before = modes;
-        modes = new Mode[particles.count()][];
-        Arrays.fill(modes, free);
+        Contacts[] before = contacts;
+        contacts = new Contacts[particles.count()];
+        Arrays.fill(contacts, free);
         touching = 0;
         changes++;
         for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
             if (newIndex[i] >= 0) {
-                modes[newIndex[i]] = before[i];
-                touching += (int) Arrays.stream(before[i]).filter(mode -> mode != Mode.FREE).count();
+                contacts[newIndex[i]] = before[i];
+                touching += before[i].touched;
             }
         }
     }
@@ -122,7 +141,7 @@ public final class ContactModes {
 
     /** @return one more than the largest index of a particle that ever touched a surface, or more */
     public int end() {
-        return modes.length;
+        return contacts.length;
     }
 
     /**
@@ -130,7 +149,7 @@ public final class ContactModes {
      * @return true if it touches any surface
      */
     public boolean isTouching(int particle) {
-        return has(particle, Mode.SLIDING) || has(particle, Mode.STICKING);
+        return of(particle).touched > 0;
     }
 
     /**
@@ -138,15 +157,6 @@ public final class ContactModes {
      * @return true if it touches a surface and static friction holds it there
      */
     public boolean isSticking(int particle) {
-        return has(particle, Mode.STICKING);
-    }
-
-    private boolean has(int particle, Mode mode) {
-        for (Mode each : of(particle)) {
-            if (each == mode) {
-                return true;
-            }
-        }
-        return false;
+        return of(particle).most == Mode.STICKING;
     }
 }
