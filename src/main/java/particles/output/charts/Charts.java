@@ -114,7 +114,7 @@ final class Charts {
                 .map(ChartPlot.class::cast).toList();
     }
 
-    /** @return the legend of all series whose names are not in their charts; each appears once */
+    /** @return the legend of all series with points whose names are not in their charts; each appears once */
     static LegendTitle legend(List<ChartPlot> plots, ChartFormat format) {
         LegendItemCollection items = new LegendItemCollection();
         Set<List<Object>> named = new HashSet<>();
@@ -123,7 +123,7 @@ final class Charts {
             for (int k = 0; k < data.getSeriesCount(); k++) {
                 Series series = data.series(k);
                 boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.FILL;    // the axis names it
-                if (!plot.ends.labelled.contains(k) && !onlyOne && series.x().length > 0
+                if (!plot.ends.labelled.contains(k) && !onlyOne && data.last(k) >= 0
                         && named.add(List.of(series.name(), series.mark().isCurve()))) {
                     items.add(plot.getRenderer().getLegendItem(0, k));
                 }

@@ -157,6 +157,17 @@ class ChartsTest {
         assertEquals(ChartStyle.FAILURE, legend.get(0).getShape());
     }
 
+    /** A solver that is never stable has no line, and a value of 0 has no place on a logarithmic axis. */
+    @Test
+    void aSeriesWithoutADrawnPointIsNotInTheLegend() {
+        List<Series> series = DoubleStream.of(1, 0, Double.NaN).mapToObj(y -> Series.point(look("rk4"), "y = " + y,
+                Mark.POINTS, 1, y)).toList();
+        LegendItemCollection legend = Charts.legend(Charts.plots(drawn(new Chart(Axis.log("x", ""), Axis.log("y", ""),
+                series))), ChartFormat.PAGE).getSources()[0].getLegendItems();
+        assertEquals(1, legend.getItemCount());
+        assertEquals("y = 1.0", legend.get(0).getLabel());
+    }
+
     /** Ticks are 1, 2 or 5 times a power of ten apart, and their labels have no round-off. */
     @ParameterizedTest
     @CsvSource({"0, 2.1e-14, 0; 5e-15; 1e-14; 1.5e-14; 2e-14", "0, 1, 0; 0.2; 0.4; 0.6; 0.8; 1",
