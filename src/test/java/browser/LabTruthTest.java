@@ -29,8 +29,12 @@ class LabTruthTest extends LabPageTestCase {
                 view.draw = () => {
                   const drawn = draw.call(view);
                   if (drawn && view.moment.slowed) {
-                    window.seen.push([view.moment.time, Math.max(...view.structure.ids.map((id, i) =>
-                      Math.abs(2 * (view.onScreen(i)?.[0] ?? Infinity) / view.element.clientWidth - 1)))]);
+                    const places = view.structure.ids.map((id, i) => view.onScreen(i) ?? [Infinity, Infinity]);
+                    const spread = axis => Math.max(...places.map(place => place[axis]))
+                      - Math.min(...places.map(place => place[axis]));
+                    window.seen.push([view.moment.time, Math.max(...places.map(([x]) =>
+                      Math.abs(2 * x / view.element.clientWidth - 1))),
+                      Math.max(spread(0), spread(1)) / view.element.clientHeight]);
                   }
                   return drawn;
                 };
@@ -41,9 +45,10 @@ class LabTruthTest extends LabPageTestCase {
         assertEquals(end + " s", page.text("clock"));
         assertEquals("Start", page.text("start"));
         double last = Double.parseDouble(end);
-        // of four seconds, at least this many pictures, in the order of time
-        assertEquals(true, page.script("return window.seen.length >= 5 && window.seen.every(([time, across], k) =>"
-                + " across <= 1 && time < arguments[0] && (k === 0 || time >= window.seen[k - 1][0]));", last),
+        // of four seconds, at least this many pictures, in the order of time; in each, particles far apart
+        assertEquals(true, page.script("return window.seen.length >= 5 && window.seen.every(([time, across, part], k)"
+                + " => across <= 1 && part > 0.2 && time < arguments[0]"
+                + " && (k === 0 || time >= window.seen[k - 1][0]));", last),
                 () -> "" + page.script("return window.seen;"));
         page.screenshot("failed-" + scene);
         page.click("restart");

@@ -4,8 +4,7 @@ import {OrbitControls} from 'orbit';
 
 const AHEAD = 0.5;                      // so many seconds of a particle's way at its velocity are in the picture too
 const WIDE = 1.5;                       // width over height; a scene's camera is meant for pictures as wide as that
-const MOST_GROWTH = 20;                 // after that, particles leave the picture
-const MOST_OF_FAILED = 10_000;          // unless the run fails: then it is seen how
+const MOST_GROWTH = 20;                 // after that, particles leave the picture, unless the run fails: it is seen how
 
 export class SceneCamera {
   /** canvas: what people turn the picture on; changed() is called when they do */
@@ -33,7 +32,7 @@ export class SceneCamera {
     const half = Math.tan(camera.fov * Math.PI / 360);
     this.target = given && !this.fails ? new THREE.Vector3(...given.target) : sphere.center.clone();
     const flat = box.max.z - box.min.z < 0.05 * extent;
-    const from = given ? new THREE.Vector3(...given.position).sub(this.target)
+    const from = given ? new THREE.Vector3(...given.position).sub(new THREE.Vector3(...given.target))
         : (flat ? new THREE.Vector3(0.22, 0.16, 1) : new THREE.Vector3(0.55, 0.42, 1));
     const distance = !given || this.fails ? 1.15 * extent / Math.sin(Math.atan(half * Math.min(1, camera.aspect)))
         : Math.max(1, WIDE / camera.aspect) * (given.perspective ? from.length() : given.height / 2 / half);
@@ -102,7 +101,7 @@ export class SceneCamera {
       }
     }
     if (!grown.equals(this.box) && grown.getBoundingSphere(new THREE.Sphere()).radius
-        < (this.fails ? MOST_OF_FAILED : MOST_GROWTH) * this.extent) {
+        < (this.fails ? Infinity : MOST_GROWTH * this.extent)) {
       this.box = grown;
       this.place();
     }
