@@ -75,9 +75,9 @@ class SameResultsTest {
             };
             worker.onmessage = ({data}) => {
               if (data.type === 'opened' && !data.facts.errors) {
-                worker.postMessage({type: 'state', time: data.run});
-              } else if (data.type === 'state') {
-                tell(data.failure, data.state.buffer);
+                worker.postMessage({type: 'sample', time: data.run});
+              } else if (data.type === 'sample') {
+                tell(data.failure, data.lastStep.buffer);
               } else if (data.type === 'opened' || data.type === 'broken') {
                 tell(data.facts?.errors.join('\\n') ?? data.message, new ArrayBuffer(0));
               }

@@ -74,7 +74,8 @@ class PageTextsTest {
         }
         used.addAll(List.of("ariaLabel", "title", "placeholder"));              // which one loop takes
         String texts = TOKEN.matcher(Files.readString(PAGE.resolve("texts.js"))).replaceAll("''")
-                .replaceAll("(?<=: )\\{[^{}]*}", "''");                         // what stands in elements
+                .replaceAll("(?<=: )\\{[^{}]*}", "''")         // what stands in elements, one in the other
+                .replaceAll("(?<=: )\\{[^{}]*}", "''");
         assertEquals(used, Pattern.compile("(\\w+): ").matcher(texts.substring(0, texts.indexOf("\n};"))).results()
                 .map(found -> found.group(1)).collect(Collectors.toCollection(TreeSet::new)));
     }

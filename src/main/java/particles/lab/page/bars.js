@@ -13,10 +13,9 @@ export function showBars(energy, time) {
   const percent = joules => 100 * joules / (high - low || 1) + '%';
   $('bars').replaceChildren(...kept.map(({name, column: {[now]: before, [now + 1]: after = before}}) => {
     const joules = before + part * (after - before);
-    const row = make('div', {textContent: name + ' ' + few(joules, 3) + ' J'}), bar = make('span');
+    const bar = make('span');
     Object.assign(bar.style, {background: colourOf(name), width: percent(Math.abs(joules)),
       marginLeft: percent(Math.min(joules, 0) - low)});
-    row.append(bar);
-    return row;
+    return make('div', {}, name + ' ' + few(joules, 3) + ' J', bar);
   }));
 }

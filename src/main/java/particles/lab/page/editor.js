@@ -6,7 +6,7 @@ export class Editor {
   /** changed() is called when somebody has typed and paused. */
   constructor(textarea, changed) {
     this.changed = changed;
-    this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2,
+    this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', theme: 'page', lineNumbers: true, tabSize: 2,
       screenReaderLabel: TEXTS.elements.editorName, extraKeys: {Tab: false, 'Shift-Tab': false}});
     this.code.getScrollerElement().tabIndex = 0;         // for keys that scroll
     this.marks = [];
@@ -97,9 +97,7 @@ export class Editor {
             {className: 'wrong-place'}));
         button.onclick = () => { this.code.setCursor({line, ch: column}); this.code.focus(); };
       }
-      const item = make('li');
-      item.append(button);
-      return item;
+      return make('li', {}, button);
     }));
   }
 }

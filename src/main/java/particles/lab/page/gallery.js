@@ -10,17 +10,13 @@ export class Gallery {
     $('scene').append(...scenes.map(scene => new Option(short(scene), scene.dataset.name)));
     $('scene').onchange = () => chosen($('scene').value);
     $('pictures').append(...scenes.map(scene => {
-      const button = make('button'), picture = new Image(320, 180);
-      picture.alt = '';
-      picture.src = scene.dataset.picture ? 'data:image/jpeg;base64,' + scene.dataset.picture : 'data:,';
-      picture.hidden = !scene.dataset.picture;
-      button.append(picture, [/^\d+/.exec(short(scene)), titleOf(scene)].join(' '));
-      button.onclick = () => {
+      const {name, picture} = scene.dataset;
+      return make('button', {onclick: () => {
         $('gallery').close();
-        $('scene').value = scene.dataset.name;
-        chosen(scene.dataset.name);
-      };
-      return button;
+        $('scene').value = name;
+        chosen(name);
+      }}, ...picture ? [make('img', {alt: '', width: 320, height: 180, src: 'data:image/jpeg;base64,' + picture})] : [],
+          [/^\d+/.exec(short(scene)), titleOf(scene)].join(' '));
     }));
     $('showGallery').onclick = () => $('gallery').showModal();
     $('closeGallery').onclick = () => $('gallery').close();

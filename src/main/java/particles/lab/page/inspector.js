@@ -1,10 +1,10 @@
 // The chosen particle: its mass, place, velocity and the forces on it, in numbers and as arrows.
 import {$, few, make} from './dom.js';
 import {arrow} from './marks.js';
+import {colourOf} from './plots.js';
 
 const INTERVAL = 150;                   // milliseconds between two questions
 const LONGEST = 0.16;                   // of the picture's height
-const COLOURS = {gravity: '#009e73', springs: '#cc79a7', pointer: '#e69f00'}, OTHER = '#0072b2';
 const digits = value => few(value, 3);
 const vector = values => '(' + [...values].map(digits).join(', ') + ')';
 
@@ -12,7 +12,6 @@ export class Inspector {
   /** element: the picture; ask(id): asks for the forces on a particle, which are then shown */
   constructor(element, ask) {
     this.ask = ask;
-    this.start();
     element.insertAdjacentHTML('beforeend', '<svg class="forces"></svg>');
     this.drawing = element.lastChild;
   }
@@ -48,7 +47,7 @@ export class Inspector {
     this.forces = forces;
     const names = Object.keys(forces);
     $('forceList').replaceChildren(...names.map(name =>
-        make('li', {textContent: name + ' ' + vector(forces[name]) + ' N'})));
+        make('div', {textContent: name + ' ' + vector(forces[name]) + ' N'})));
   }
 
   /** place(point) is where a point is seen; from is the particle's place, height that of the picture (m) */
@@ -57,7 +56,7 @@ export class Inspector {
     this.largest = Math.max(this.largest, ...lengths);
     this.drawing.innerHTML = (on && from ? Object.entries(this.forces) : []).map(([name, force]) => {
       const start = place(from), end = place(from.map((x, c) => x + LONGEST * height / this.largest * force[c]));
-      const line = arrow(start, end), colour = COLOURS[name] ?? OTHER;
+      const line = arrow(start, end), colour = colourOf(name);
       return line && `<path d="${line}" stroke="${colour}" fill="${colour}"/><text x="${end[0] + 4}" y="${end[1] - 4}">
         ${name}</text>`;
     }).join('');

@@ -16,8 +16,3 @@ export function listen(actions) {
     }
   });
 }
-
-/** Shows an element alone on the screen, or the page again. */
-export function toggleFullScreen(element) {
-  document.fullscreenElement ? document.exitFullscreen() : element.requestFullscreen();
-}

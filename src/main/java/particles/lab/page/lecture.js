@@ -5,11 +5,10 @@ const STATIONS = JSON.parse($('stations').textContent);
 
 export class Lecture {
   /**
-   * describe(): the state of the page; open(state): goes to one; ended(): a lecture that a link began is over;
-   * resize(): all has another size
+   * describe(): the state of the page; open(state): goes to one; ended(): a lecture that a link began is over
    */
-  constructor({describe, open, ended, resize}) {
-    Object.assign(this, {describe, open, ended, resize, slide: -1});
+  constructor(describe, open, ended) {
+    Object.assign(this, {describe, open, ended, slide: -1});
     $('slides').append(...STATIONS.map(({slide}, i) => new Option(slide, i)));
     $('slides').onchange = () => {
       $('slides').blur();               // the keys are for the lecture again
@@ -61,6 +60,5 @@ export class Lecture {
     } else {
       history.replaceState(null, '');
     }
-    this.resize();
   }
 }

@@ -5,7 +5,7 @@ import {Builder} from './builder.js';
 import {$} from './dom.js';
 import {showEquations} from './equations.js';
 import {Gallery} from './gallery.js';
-import {listen, toggleFullScreen} from './keys.js';
+import {listen} from './keys.js';
 import {save} from './packing.js';
 import {makeView} from './view.js';
 import {DistancePlot, EnergyPlot, PhasePlot} from './plots.js';
@@ -15,7 +15,7 @@ import {Hand} from './hand.js';
 import {Inspector} from './inspector.js';
 import {Lecture} from './lecture.js';
 import {Nearest} from './nearest.js';
-import {FIRST, OPENING, SOLVERS} from './opening.js';
+import {FIRST, OPENING} from './opening.js';
 import {Parameters} from './parameters.js';
 import {PhaseSpace} from './phase.js';
 import {Player} from './player.js';
@@ -33,7 +33,8 @@ let facts = null, structure = null, plotted = 0, barred = null;
 const view = makeView($('view'));
 const player = new Player(window.started.worker, {paused, renew: () => listenTo(new Worker(engine)),
   restarted: () => { startPlots(); phase.renew(); }});
-const hand = new Hand($('view'), view, id => phase.pick(id), pulled);
+const hand = new Hand($('view'), view, id => phase.pick(id),
+    (id, point) => panels.tell(player.drag(id, point)));
 const inspector = new Inspector($('view'), id => player.tell({type: 'particle', id}));
 const energy = new EnergyPlot($('energy')), phasePlot = new PhasePlot($('phase'));
 const editor = new Editor($('text'), edited);
@@ -46,7 +47,7 @@ const phase = new PhaseSpace(phasePlot, engine, question => { player.tell(questi
     () => panels.all.length, () => { address.changed(); builder.show(); });
 const builder = new Builder(view, hand, phase, build, () => open(false), note);
 const film = new Film(view, linesOfFilm, note), rates = new Rates();
-const lecture = new Lecture({describe: beforeLecture, open: openState, ended: () => open(), resize: () => resize()});
+const lecture = new Lecture(beforeLecture, openState, () => open());
 const address = new Address(describe, openState, note);
 
 function note(...parts) {
@@ -211,7 +212,7 @@ function showText(run) {
   const names = [TEXTS.run(1), ...panels.all.map(panel => panel.name)];
   $('textOf').replaceChildren(...names.map((name, i) => new Option(name, i)));
   $('textOf').value = edits;
-  $('textOfLabel').hidden = names.length === 1;
+  $('textOf').hidden = names.length === 1;
   const its = edits ? panels.all[edits - 1].choice.text ?? text : text;
   if (its !== editor.text) {
     editor.text = its;
@@ -294,15 +295,10 @@ view.drawn = () => {
 function panelsChanged() {
   nearest.close();
   showText(edits);
-  resize();
   if (facts) {
     open();
     phase.renew();
   }
-}
-
-function pulled(id, point) {
-  panels.tell(player.drag(id, point));
 }
 
 /** Compares the runs of one scene, once all are opened. */
@@ -359,7 +355,8 @@ function openFirst() {
   choose(FIRST.name, FIRST.first);
 }
 
-const fullScreen = () => toggleFullScreen(lecture.on ? document.documentElement : document.querySelector('.picture'));
+const fullScreen = () => document.fullscreenElement ? document.exitFullscreen()
+    : (lecture.on ? document.documentElement : $('picture')).requestFullscreen();
 $('restart').onclick = () => open();
 $('fullScreen').onclick = fullScreen;
 $('fullScreen').hidden = !document.fullscreenEnabled;
@@ -368,9 +365,9 @@ $('copyLink').onclick = () => {
   address.copy();
 };
 $('undo').onclick = () => editor.undo();
-listen({'^z': () => editor.undo(), ' ': () => player.startOrPause(), ArrowRight: () => player.step(), ArrowLeft: () => player.stepBack(),
-  f: fullScreen, l: () => lecture.toggle(), PageDown: () => lecture.on && lecture.turn(1),
-  PageUp: () => lecture.on && lecture.turn(-1)});
+listen({'^z': () => editor.undo(), ' ': () => player.startOrPause(),
+  ArrowRight: () => player.step(), ArrowLeft: () => player.stepBack(), f: fullScreen, l: () => lecture.toggle(),
+  PageDown: () => lecture.on && lecture.turn(1), PageUp: () => lecture.on && lecture.turn(-1)});
 $('arrows').onchange = () => view.setArrows($('arrows').checked);
 $('forces').onchange = () => { view.stale = true; };
 $('labels').onchange = () => view.setLabels($('labels').checked);
@@ -396,19 +393,17 @@ function linesOfFilm() {
 
 offer(nameOfRun, linesOfFilm, film, energy, phasePlot);
 $('saveTable').onclick = () => player.tell({type: 'table', energies: facts.energies});
-$('savePicture').disabled = $('film').disabled = $('build').disabled = !view.camera;          // without WebGL there is none
+$('savePicture').disabled = $('film').disabled = $('build').disabled = !view.camera;    // without WebGL
 
 function showEditor(on) {
   $('editor').hidden = !on;
   $('showEditor').setAttribute('aria-expanded', on);
   document.body.classList.toggle('editing', on);
   editor.refresh();
-  resize();
 }
 
 const plots = [energy, phasePlot, distances];
 const resize = () => [view, ...plots, panels, stability].forEach(part => part.resize());
-addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
 function draw(now = 0) {
@@ -430,7 +425,5 @@ function draw(now = 0) {
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
 window.lab = {player, view, energy, phase: phasePlot, distances, panels, engine, address};  // for tests
-settings.list(SOLVERS);
-panels.list(SOLVERS);
 location.hash ? address.read().then(found => found || openFirst()) : openFirst();
 draw();

@@ -1,6 +1,7 @@
 // Up to three more runs beside the first, each with its own solver, deltaT and, where somebody has edited it, its own
 // text of the scene; they follow the time of the first.
 import {$, few, make} from './dom.js';
+import {SOLVERS} from './opening.js';
 import {columnsOf} from './structure.js';
 import {makeView} from './view.js';
 
@@ -25,11 +26,6 @@ export class Panels {
     $('equalWork').onchange = () => this.set(this.describe());
   }
 
-  /** solvers: the catalogue's, and the names of students' own */
-  list(solvers) {
-    this.solvers = solvers;
-  }
-
   describe() {
     return this.all.map(panel => panel.choice);
   }
@@ -44,7 +40,7 @@ export class Panels {
     this.all.forEach(panel => panel.close());
     this.all = choices.slice(0, MOST).map((choice, i) => new Panel(this, i, choice));
     $('addPanel').disabled = this.all.length === MOST;
-    $('equalWorkLabel').hidden = !this.all.length;
+    $('equalWork').hidden = !this.all.length;
     this.changed();
   }
 
@@ -63,7 +59,7 @@ export class Panels {
 
   /** The time step that costs as many evaluations per simulated second as the first run; NaN if that is not known. */
   equalStep(solver, facts) {
-    const cost = name => Number(this.solvers.find(one => one.name === name)?.evaluations);
+    const cost = name => Number(SOLVERS.find(one => one.name === name)?.evaluations);
     return Number((facts.deltaT * cost(solver) / cost(facts.solver)).toPrecision(6));
   }
 
@@ -79,12 +75,9 @@ export class Panels {
 class Panel {
   constructor(panels, index, choice) {
     Object.assign(this, {panels, index, choice: {solver: 'euler', deltaT: '', ...choice}});
-    this.figure = make('figure');
     this.caption = make('figcaption', {className: 'caption'});
-    this.caption.style.borderColor = COLOURS[this.index];
-    const picture = make('div', {className: 'view'});
-    Object.assign(picture, {role: 'img', ariaLabel: TEXTS.sceneOf(this.name)});
-    this.figure.append(picture, this.caption);
+    const picture = make('div', {className: 'view', role: 'img', ariaLabel: TEXTS.sceneOf(this.name)});
+    this.figure = make('figure', {}, picture, this.caption);
     $('views').append(this.figure);
     this.view = makeView(picture);
     this.addControls();
@@ -93,22 +86,16 @@ class Panel {
   }
 
   addControls() {
-    this.row = make('li');
-    this.row.style.borderColor = COLOURS[this.index];
-    const solver = this.solver = make('select');
-    solver.append(...this.panels.solvers.map(one => new Option(one.name)));
-    solver.value = this.choice.solver;
-    solver.onchange = () => this.choose({solver: solver.value});
-    this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: Boolean($('equalWork').value)});
-    this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
-    const remove = make('button', {textContent: TEXTS.remove, onclick: () => this.panels.remove(this)});
-    this.error = make('p');
-    this.error.setAttribute('role', 'alert');
-    const name = make('label', {textContent: TEXTS.solverOf(this.name) + ' '});
-    const step = make('label', {textContent: TEXTS.itsStep + ' '});
-    name.append(solver);
-    step.append(this.step);
-    this.row.append(name, step, remove, this.error);
+    this.solver = make('select', {onchange: () => this.choose({solver: this.solver.value})},
+        ...SOLVERS.map(one => new Option(one.name)));
+    this.solver.value = this.choice.solver;
+    this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: Boolean($('equalWork').value),
+      onchange: () => this.choose({deltaT: this.step.value.trim()})});
+    this.error = make('p', {role: 'alert'});
+    this.row = make('li', {}, make('label', {}, TEXTS.solverOf(this.name) + ' ', this.solver),
+        make('label', {}, TEXTS.itsStep + ' ', this.step),
+        make('button', {textContent: TEXTS.remove, onclick: () => this.panels.remove(this)}), this.error);
+    this.row.style.borderColor = this.caption.style.borderColor = COLOURS[this.index];
     $('panelList').append(this.row);
   }
 

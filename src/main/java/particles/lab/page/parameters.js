@@ -42,8 +42,7 @@ export class Parameters {
   }
 
   row(slider) {
-    const label = make('label'), input = make('input', {type: 'range', min: 0, max: STEPS, step: 1});
-    const output = make('output');
+    const input = make('input', {type: 'range', min: 0, max: STEPS, step: 1}), output = make('output');
     slider.tell = () => {
       const {range, unit, value} = slider, text = digits(value) + ' ' + unit;
       slider.place && (slider.place.value = Object.values(TEXTS.places).includes(value) ? value : '');
@@ -57,15 +56,15 @@ export class Parameters {
       output.textContent = digits(value) + ' ' + slider.unit;
       this.editor.write(slider.places, (slider.write ?? String)(value));
     };
-    label.append(slider.label, input, output);           // a label names the first control in it
-    return slider.write ? [label, this.places(slider)] : [label];
+    // a label names the first control in it
+    return [make('label', {}, slider.label, input, output), ...slider.write ? [this.places(slider)] : []];
   }
 
   /** The gravity of well-known places. */
   places(slider) {
     slider.place = make('select', {ariaLabel: TEXTS.gravityOf,
-      onchange: ({target: {value}}) => slider.take(Number(value))});
-    slider.place.append(...Object.entries(TEXTS.places).map(([name, value]) => new Option(name, value)));
+      onchange: ({target: {value}}) => slider.take(Number(value))},
+        ...Object.entries(TEXTS.places).map(([name, value]) => new Option(name, value)));
     slider.place.options[0].disabled = true;
     return slider.place;
   }

@@ -56,12 +56,10 @@ export class PhaseSpace {
 
   /** A new scene. wanted: what a link wants to see, or null; sent: what the scene was opened with */
   start(facts, structure, wanted, sent) {
-    Object.assign(this, {preferred: facts.phase, facts, kept: wanted?.curves ?? []});
+    Object.assign(this, {facts, kept: wanted?.curves ?? []});
     this.list(structure);
     if (structure.ids.includes(wanted?.particle)) {
       $('particle').value = wanted.particle;
-    } else if (!this.id && facts.phase) {
-      $('particle').value = facts.phase[0];
     }
     const axis = 'xyz'[facts.phase?.[0] === this.id ? facts.phase[1] : 0];
     this.offer({vertical: wanted?.vertical ?? `v${axis} (m/s)`, horizontal: wanted?.horizontal ?? `${axis} (m)`});
@@ -75,8 +73,7 @@ export class PhaseSpace {
 
   /** The particles, first one that can move; in a scene with births they come and go. */
   list(structure) {
-    const before = this.id, first = this.preferred?.[0];
-    const {ids, fixed} = structure;
+    const before = this.id, first = this.facts.phase?.[0], {ids, fixed} = structure;
     this.others = ids.slice(0, MOST_OTHERS);
     if (ids.join() !== [...$('particle').options].map(option => option.value).join()) {
       $('particle').replaceChildren(...ids.map(id => new Option(id)));

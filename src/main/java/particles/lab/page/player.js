@@ -11,6 +11,7 @@ export class Player {
   constructor(worker, {paused, restarted, renew}) {
     Object.assign(this, {worker, paused, restarted, renew, run: 0, playing: false, looking: false, autoplay: false,
       pulled: false, frame: null, waiting: Infinity});
+    $('speed').value = 1;
     $('start').onclick = () => this.startOrPause();
     $('step').onclick = () => this.step();
     $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
@@ -160,7 +161,7 @@ export class Player {
     $('evaluations').textContent = frame.evaluations;
     $('seconds').textContent = this.looking ? '' : few(frame.seconds) + ' s';
     $('work').replaceChildren(...Object.entries(frame.work).filter(([name, joules]) => joules)
-        .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
+        .map(([name, joules]) => make('div', {textContent: name + ': ' + few(joules)})));
     if (frame.slowed || frame.failure && !this.looking) {
       $('message').textContent = frame.slowed ? TEXTS.slowed : frame.failure;
     }

@@ -27,12 +27,17 @@ export const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
 /** The value at the cursor or, where there is none, the latest. */
 const latest = (u, value, series) => (value ?? u.data[series][u.data[series].length - 1])?.toPrecision(4) ?? '';
 
-export class EnergyPlot {
+class Plot {
   constructor(element) {
     this.element = element;
-    this.logarithmic = false;
   }
 
+  resize() {
+    this.plot?.setSize(size(this.element));
+  }
+}
+
+export class EnergyPlot extends Plot {
   /** names: of the energies; uniform: the numbers of those whose zero is their lowest value so far; duration (s) */
   start(names, uniform, duration) {
     this.names = names;
@@ -56,20 +61,10 @@ export class EnergyPlot {
       series: [{label: TEXTS.timeAxis, value: latest},
         ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? TEXTS.fromLowest(name) : name,
         show: false, stroke: colourOf(name), width: (i === 0 ? 2.5 : 1.5) * scale(), scale: i === error ? 'error' : 'y',
-        dash: i === error ? [4, 3] : [], value: latest,
-        points: {show: (u, series, from, to) => to - from <= FEW, size: 5}}))]}, this.shown(), this.element);
+        dash: i === error ? [4, 3] : [], value: latest}))]}, this.shown(), this.element);
     this.rows = [...this.plot.root.querySelectorAll('.u-series')];
     this.rows.forEach((row, i) => { row.hidden = i > 0; });
-    this.data.forEach((column, i) => i && column.some(value => value) && this.showSeries(i));
     this.stale = true;
-  }
-
-  /** An effect that stores nothing has no curve. */
-  showSeries(i) {
-    if (!this.plot.series[i].show) {
-      this.plot.setSeries(i, {show: true});
-      this.rows[i].hidden = false;
-    }
   }
 
   /** rows: the time and the energies after each step, one after the other */
@@ -83,9 +78,6 @@ export class EnergyPlot {
       this.lastKept = time;
       for (let i = 0; i < width; i++) {
         this.data[i].push(rows[r + i]);
-        if (i && rows[r + i]) {
-          this.showSeries(i);
-        }
       }
       if (times.length > MOST) {
         thin(this.data);
@@ -115,13 +107,15 @@ export class EnergyPlot {
 
   draw() {
     if (this.stale) {
+      this.data.forEach((column, i) => {        // an effect that stores nothing has no curve
+        if (i && !this.plot.series[i].show && column.some(value => value)) {
+          this.plot.setSeries(i, {show: true});
+          this.rows[i].hidden = false;
+        }
+      });
       this.plot.setData(this.shown());
       this.stale = false;
     }
-  }
-
-  resize() {
-    this.plot?.setSize(size(this.element));
   }
 }
 
@@ -140,11 +134,7 @@ const line = (label, stroke) => ({facets: ['x', 'y'].map(scale => ({scale, auto:
   width: 1.5 * scale(), paths: polyline(false)});
 
 /** The distances of several runs from a reference. */
-export class DistancePlot {
-  constructor(element) {
-    this.element = element;
-  }
-
+export class DistancePlot extends Plot {
   /** runs: the name of each, and the colour of each but the first; duration: of the scene (s) */
   start(runs, duration) {
     this.data = [null, ...runs.map(() => [[], []])];
@@ -171,10 +161,6 @@ export class DistancePlot {
       this.plot.setData(this.data);
       this.stale = false;
     }
-  }
-
-  resize() {
-    this.plot?.setSize(size(this.element));
   }
 }
 
@@ -212,11 +198,7 @@ function polyline(dots) {
   };
 }
 
-export class PhasePlot {
-  constructor(element) {
-    this.element = element;
-  }
-
+export class PhasePlot extends Plot {
   /** quantities: the horizontal one, and those over it; others: the colours of other runs' curves of the first */
   start(quantities, others = []) {
     const [across, ...up] = quantities;
@@ -297,10 +279,6 @@ export class PhasePlot {
       this.plot.setData(this.data);
       this.stale = false;
     }
-  }
-
-  resize() {
-    this.plot?.setSize(size(this.element));
   }
 }
 

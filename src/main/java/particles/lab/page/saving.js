@@ -1,5 +1,5 @@
 // Files of what is seen and was computed: pictures, a film, tables of numbers. And how fast all of it goes.
-import {$, few, ink} from './dom.js';
+import {$, few, ink, make} from './dom.js';
 import {save} from './packing.js';
 
 const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30, WIDTH = 1920, HEIGHT = 1080, LINE = 36;
@@ -51,8 +51,8 @@ function plotImage({plot, element}, lines) {
     }];
     hooks.draw = [() => {
       hooks.drawClear = hooks.draw = [];
-      const canvas = document.createElement('canvas'), c = canvas.getContext('2d');
-      Object.assign(canvas, {width: WIDTH, height: drawn.height + 18 * scale * (names.length + lines.length)});
+      const height = drawn.height + 18 * scale * (names.length + lines.length);
+      const canvas = make('canvas', {width: WIDTH, height}), c = canvas.getContext('2d');
       c.fillStyle = ink('--panel');
       c.fillRect(0, 0, canvas.width, canvas.height);
       c.drawImage(drawn, 0, 0);
@@ -101,7 +101,7 @@ export class Film {
   }
 
   picture() {
-    const canvas = Object.assign(document.createElement('canvas'), {width: WIDTH, height: HEIGHT});
+    const canvas = make('canvas', {width: WIDTH, height: HEIGHT});
     this.recorder || this.resize(true);
     compose(this.view.element, canvas, this.lines());
     this.recorder || this.resize(false);
@@ -148,10 +148,6 @@ export class Film {
 
 /** Measures how fast simulated time passes, over the last second. */
 export class Rates {
-  constructor() {
-    this.forget();
-  }
-
   /** Another scene is not as fast. */
   forget() {
     this.moments = [];

@@ -1,11 +1,13 @@
 // The solver, its time step and its tolerance: what is chosen beside the scene's text.
 import {$, few} from './dom.js';
+import {SOLVERS} from './opening.js';
 
 export class Settings {
   /** changed(what): called with the settings that somebody has changed; stability: shows what deltaT does */
   constructor(changed, stability) {
     this.stability = stability;
     const slider = $('deltaT'), typed = $('deltaTNumber');
+    $('solver').append(...SOLVERS.map(one => new Option(one.name)));
     $('tolerance').append(...['1e-3', '1e-4', '1e-6', '1e-8', '1e-10'].map(one => new Option(one, Number(one))));
     $('solver').onchange = () => changed({solver: $('solver').value, tolerance: 0});
     $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
@@ -18,21 +20,15 @@ export class Settings {
     slider.onchange = () => changed({deltaT: typed.value});
   }
 
-  /** solvers: the catalogue's, and the names of students' own */
-  list(solvers) {
-    this.solvers = solvers;
-    $('solver').append(...solvers.map(one => new Option(one.name)));
-  }
-
   show(facts, {tolerance, set}) {
     this.facts = facts;
-    const solver = this.solvers.find(one => one.name === facts.solver), limit = facts.limit;
+    const solver = SOLVERS.find(one => one.name === facts.solver), limit = facts.limit;
     const slider = $('deltaT');
     $('solver').value = facts.solver;
     $('tolerance').value = tolerance;
     $('set').value = set;
     $('sentence').textContent = solver?.sentence ?? TEXTS.ownSolver;
-    $('toleranceLabel').hidden = !solver?.adaptive;
+    $('tolerance').hidden = !solver?.adaptive;
     $('deltaTNumber').value = facts.deltaT;
     slider.value = Math.log10(facts.deltaT);
     slider.setAttribute('aria-valuetext', TEXTS.seconds(facts.deltaT));

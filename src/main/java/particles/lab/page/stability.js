@@ -9,7 +9,7 @@ const digits = number => few(number, 3);
 export class Stability {
   /** engine: the address of the compiled classes; they work in a worker of their own, as some regions take seconds */
   constructor(engine) {
-    Object.assign(this, {engine, regions: new Map(), asked: new Set()});
+    Object.assign(this, {engine, regions: new Map()});
     $('stability').ontoggle = () => this.update();
   }
 
@@ -25,8 +25,8 @@ export class Stability {
       return;
     }
     const {solver} = this.facts;
-    if (!this.asked.has(solver)) {
-      this.asked.add(solver);
+    if (!this.regions.has(solver)) {
+      this.regions.set(solver, null);           // it is asked once
       this.ask({type: 'region', solver, ...WINDOW});
     }
     this.z = stiffest(this.facts, this.deltaT);
@@ -125,5 +125,5 @@ function stiffest({omega, damping}, h) {
 function factor(growth) {
   const difference = growth - 1;
   return Math.abs(difference) < 0.01 ? '1 ' + (difference > 0 ? '+ ' : '- ') + digits(Math.abs(difference))
-      : growth < 1e6 ? digits(growth) : TEXTS.overMillion;
+      : digits(growth);
 }

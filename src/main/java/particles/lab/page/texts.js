@@ -1,6 +1,6 @@
 // The page's texts, all in one place for a second language. Other words come from scenes, slides and the engine.
 const TEXTS = {
-  // in the elements with these ids or, where they have labels, in those
+  // in the elements with these ids, in a label around a field, or in the term before a description
   elements: {scene: 'Scene', showGallery: 'Pictures of scenes', startLecture: 'Lecture', copyLink: 'Copy link',
     showEditor: 'Scene file', slides: 'Slide', endLecture: 'End', closeGallery: 'Close', time: 'Time', start: 'Start',
     step: 'One step', restart: 'From the start', speed: 'Speed', atEnd: 'At the end', build: 'Build',
@@ -9,25 +9,26 @@ const TEXTS = {
       + ' scene file.', fullScreen: 'Full screen',
     arrows: 'velocities', forces: 'forces', labels: 'names', saving: 'Save picture, plots, table or film',
     savePicture: 'Picture', saveEnergy: 'Energy plot', savePhase: 'Phase plot', saveTable: 'Table (CSV)', film: 'Film',
-    stepsName: 'Steps', evaluationsName: 'Evaluations', paceName: 'Simulated time per second', secondsName: 'CPU time',
-    solver: 'Solver', deltaT: 'Time step deltaT (s)', stabilityName: 'Stability region',
+    steps: 'Steps', evaluations: 'Evaluations', pace: 'Simulated time per second', seconds: 'CPU time',
+    solver: 'Solver', deltaTNumber: 'Time step deltaT (s)', stabilityName: 'Stability region',
     regionHelp: 'h is deltaT; λ, of the springs\' stiffest vibration, is estimated from above. The method is stable'
       + ' where it is coloured.', tolerance: 'Relative tolerance', set: 'Other values for keys of the scene',
     parametersName: 'Numbers of the scene', equationsName: 'Equations', energyName: 'Energy',
     logarithmic: 'numerical error on a logarithmic axis', curvesName: 'Curves', particle: 'Particle', vertical: 'Plot',
     horizontal: 'over', addCurve: 'Add another', oneCurve: 'Only this one',
-    ghost: 'Wide grey line: the reference, dormand-prince with tolerance 1e-10.', massName: 'Mass',
-    placeName: 'Position', velocityName: 'Velocity', forcesName: 'Forces on it', workName: 'Work since the start (J)',
+    ghost: 'Wide grey line: the reference, dormand-prince with tolerance 1e-10.', mass: 'Mass',
+    place: 'Position', velocity: 'Velocity', forceList: 'Forces on it', work: 'Work since the start (J)',
     compareName: 'Compare', addPanel: 'Add a run', equalWork: 'At equal',
     nearestName: 'Distance from the reference',
     distancesHelp: 'Root mean squares over all particles, at 201 times, without pulls.', editorName: 'Scene file',
     textOf: 'of', save: 'Save', open: 'Open', licences: 'Licences of the software in this page'},
-  choices: {speed: ['1/10', '1/4', '1/2', 'real time', '2 times', '5 times'],
-    atEnd: ['go on', 'begin again', 'stop'], between: ['a spring', 'a muscle'], tolerance: ['the scene\'s'],
-    equalWork: ['time, each with its deltaT', 'work: as many evaluations per simulated second']},
+  choices: {speed: {'1/10': 0.1, '1/4': 0.25, '1/2': 0.5, 'real time': 1, '2 times': 2, '5 times': 5},
+    atEnd: {'go on': 'on', 'begin again': 'loop', stop: 'stop'}, between: {'a spring': '', 'a muscle': 'muscle'},
+    tolerance: {'the scene\'s': 0},
+    equalWork: {'time, each with its deltaT': '', 'work: as many evaluations per simulated second': 'on'}},
   ariaLabel: {lecture: 'Lecture', previousSlide: 'Previous slide', nextSlide: 'Next slide', gallery: 'Scenes',
     picture: 'The scene', view: 'The scene in three dimensions', settings: 'Solver and time step',
-    deltaTNumber: 'deltaT in seconds', equations: 'Equations', energy: 'Plot of the energies over time',
+    deltaT: 'deltaT in seconds', equations: 'Equations', energy: 'Plot of the energies over time',
     phase: 'Plot of one quantity over another', distances: 'Plot of the distances'},
   title: {startLecture: 'L', endLecture: 'L', previousSlide: 'Page Up', nextSlide: 'Page Down', fullScreen: 'F'},
   placeholder: {set: 'springs[0].damping=20, duration=5'},
@@ -60,7 +61,6 @@ const TEXTS = {
   grows: factor => `: each step multiplies this vibration by ${factor}, so it grows.`,
   decays: factor => `: each step multiplies this vibration by ${factor}, so it decays.`,
   keepsSize: ': each step keeps its size.',
-  overMillion: 'more than a million',
   untried: (solver, message) => solver + ' cannot be tried: ' + message,
   coloured: 'coloured: stable', computing: 'The region is being computed ...', outside: 'outside the picture',
 
@@ -105,12 +105,19 @@ const TEXTS = {
 };
 
 for (const [id, text] of Object.entries(TEXTS.elements)) {
-  const element = document.getElementById(id), label = element.labels?.[0] ?? element;
-  element.type === 'checkbox' ? label.append(' ' + text) : label.prepend(text + ' ');
+  const element = document.getElementById(id);
+  const tag = {SELECT: 'label', INPUT: 'label', DD: 'dt'}[element.tagName];
+  const named = tag ? document.createElement(tag) : element;
+  if (tag) {
+    named.className = element.className;
+    element.before(named);
+    tag === 'label' && named.append(element);
+  }
+  element.type === 'checkbox' ? named.append(' ' + text) : named.prepend(text + ' ');
 }
 for (const property of ['ariaLabel', 'title', 'placeholder']) {
   Object.entries(TEXTS[property]).forEach(([id, text]) => { document.getElementById(id)[property] = text; });
 }
-for (const [id, texts] of Object.entries(TEXTS.choices)) {
-  texts.forEach((text, i) => document.getElementById(id).options[i].append(text));
+for (const [id, values] of Object.entries(TEXTS.choices)) {
+  document.getElementById(id).append(...Object.entries(values).map(([text, value]) => new Option(text, value)));
 }

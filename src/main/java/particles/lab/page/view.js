@@ -57,19 +57,8 @@ class View {
     this.marks = new Marks(element);
     this.matrix = new THREE.Matrix4();
     this.colour = new THREE.Color();
+    this.renderer.domElement.hidden = true;      // until there is a scene
     this.resize();
-    this.compile();
-  }
-
-  /** The programs of most pictures are compiled while the page waits for its scene: their copies here draw nothing. */
-  compile() {
-    const scene = new THREE.Scene(), balls = new Copies(new THREE.PlaneGeometry(), solid({}));
-    const surface = new Surface({triangles: [0, 0, 0]}, [0, 0]), sky = new Sky(this.camera.camera.up, false);
-    balls.add(this.matrix.makeScale(0, 0, 0), this.colour);
-    surface.tear([]);
-    scene.add(new THREE.DirectionalLight(), new THREE.HemisphereLight(), sky.mesh, balls.object, surface.object);
-    this.renderer.domElement.hidden = true;
-    this.renderer.render(scene, this.camera.camera);
   }
 
   // ---- a new scene ----
@@ -101,8 +90,7 @@ class View {
     this.trails = new Trails();
     this.blobs = new Blobs(facts.look.colours[0]);
     this.blobs.object.visible = facts.look.kind === 'blobs';
-    this.hasTrails = [facts.look, ...Object.values(facts.look.marks)].some(({trail}) => trail > 0);
-    this.trails.object.visible = this.hasTrails;
+    this.trails.object.visible = [facts.look, ...Object.values(facts.look.marks)].some(({trail}) => trail > 0);
     this.surfaces = facts.surfaces.map(surface => new Surface(surface, facts.look.colours.slice(2)));
     this.balls = new Copies(new THREE.SphereGeometry(1, 16, 12), solid({}));
     this.areMany = false;
@@ -228,7 +216,7 @@ class View {
     this.surfaces.forEach(surface => surface.place(state));
     this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.shownBall(),
         this.camera.camera.getWorldDirection(new THREE.Vector3()).negate());
-    if (this.hasTrails) {
+    if (this.trails.object.visible) {
       const {ids} = this.structure;
       this.trails.place(state, time, ids, ids.map(id => new THREE.Color(look.marks[id]?.colour ?? look.colours[0])),
           ids.map((id, i) => this.isShown[i] && !fixed[i] ? look.marks[id]?.trail ?? look.trail : 0));
@@ -288,8 +276,7 @@ class View {
     this.marks.draw((i, seconds) => this.onScreen(i, seconds), i => this.radius(i) * pixels + LABEL_GAP,
         [...ids.keys()].filter(i => !fixed[i]), this.arrowSeconds());
     const pulled = ids.indexOf(this.pull?.id);
-    this.marks.drawPull(pulled < 0 ? null : this.onScreen(pulled), pulled < 0 ? null
-        : this.camera.placeOf(this.pull.point));
+    this.marks.drawPull(...pulled < 0 ? [] : [this.onScreen(pulled), this.camera.placeOf(this.pull.point)]);
     this.drawn?.();
     return true;
   }
@@ -299,7 +286,7 @@ class View {
     return this.camera.placeOf(pointAhead(this.moment.state, i, seconds));
   }
 
-  /** The particle that can move, or any, seen nearest to a place of the window, within so many pixels; -1 if none is. */
+  /** The particle that can move, or any, seen nearest to a place of the window, within so many pixels; else -1. */
   nearest({clientX, clientY}, reach, any) {
     const bounds = this.element.getBoundingClientRect();
     let nearest = -1, least = reach;

@@ -214,11 +214,8 @@ const commands = {
   sample: ({time}) => {
     engine.advance(time, 1e9);
     const {failure} = JSON.parse(engine.status());
-    postMessage({type: 'sample', time, failure, ids: engine.ids(), state: engine.state().slice()});
-  },
-  state: message => {
-    engine.advance(message.time, 1e9);
-    postMessage({type: 'state', ...JSON.parse(engine.status()), state: engine.exactState()});
+    postMessage({type: 'sample', time, failure, ids: engine.ids(), state: engine.state().slice(),
+      lastStep: engine.exactState()});
   }
 };
 const WITHOUT_SCENE = ['open', 'region'];
