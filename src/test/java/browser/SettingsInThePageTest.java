@@ -2,7 +2,10 @@ package browser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.Keys;
 
 /** What people type: other values for keys of a scene, in the grammar of the console, in a field or in the address. */
@@ -31,6 +34,19 @@ class SettingsInThePageTest extends LabPageTestCase {
         until("value('solver') === 'euler' && view.facts.duration === 0.5");
         page.script("location.href = arguments[0];", link.replace("scene=01-falling-particle", "scene=77"));
         until("text('note').includes('damaged')");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {"solver=foo; foo", "solver=foo&deltaT=abc; deltaT",
+        "set=springs[9].damping=1; [9]"})
+    void ofAnAddressWithWrongSettingsTheSceneIsOpenedWithItsOwn(String settings, String wrong) {
+        page.go(Browser.page().toUri() + "#scene=2&" + settings);
+        until("text('note').includes('" + wrong + "')");
+        assertEquals(List.of("rk4", "0.05", "", ""), page.script("""
+                return [...['solver', 'deltaTNumber', 'set'].map(id => document.getElementById(id).value),
+                  document.getElementById('message').textContent];"""));
+        page.click("start");
+        until("number('steps') > 0");
     }
 
     @Test

@@ -164,6 +164,12 @@ function opened(message) {
     player.startIfWanted();
     return;
   }
+  if (errors.length && wanted && Object.values(chosen).some(one => one)) {      // the scene without a link's settings
+    note(errors.join('; '));
+    chosen = AS_IN_TEXT;
+    open();
+    return;
+  }
   $('start').disabled = $('step').disabled = $('restart').disabled = errors.length > 0;
   if (errors.length) {
     showText(0);
