@@ -39,13 +39,14 @@ final class Experiments {
             String title = asked.scene().title() + ": energy error";
             return asked.page(title, List.of(
                     Picture.of("energy-drift", """
-                            The size of the energy error over time. At the curves: the error where it is largest. A \
-                            cross marks a run that ended early.""",
+                            The size of the energy error over time. At the curves: the largest error. A cross marks \
+                            a run that ended early.""",
                             Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts())))).first(first),
-                    Picture.of("energy-drift-energy-error", """
-                            The energy error over time, while it is less than 10 %, of all solvers whose error can be \
-                            seen on this axis.""", Panel.of(title + ", with its sign",
-                            List.of(DriftCharts.small(comparison.drifts())))).first(first)),
+                    Picture.of("energy-drift-signed", """
+                            The energy error with its sign, as long as it is below 10 %, of the solvers whose error \
+                            can be seen on this axis. At the curves: the largest error of the whole run.""",
+                            Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison.drifts()))))
+                            .first(first)),
                     List.of(DriftCharts.table(comparison)));
         };
     }

@@ -66,10 +66,10 @@ final class RaceExperiment {
                 "The race. The grey ghost is the reference; a solver that fails leaves the race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.of("race-charts", """
-                                Above, unless particles are born or die, the distance of each solver from the \
-                                reference, root mean square over the particles; at the curves, also over time. Below, \
-                                the energy error; at the curves, where it is largest. A cross marks where a solver \
-                                left the race.""",
+                                Above: the distance from the reference, root mean square over the particles; it is \
+                                left out if particles are born or die. At the curves: its root mean square over time. \
+                                Below: the energy error; at the curves, the largest. A cross marks where a solver left \
+                                the race.""",
                                 Panel.of(RaceCharts.title(race), Stream.of(RaceCharts.distance(race),
                                 RaceCharts.energy(race)).filter(chart -> chart.series().stream().anyMatch(series ->
                                 series.x().length > 0)).toList()))),

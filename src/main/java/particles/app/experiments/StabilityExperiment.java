@@ -64,8 +64,9 @@ final class StabilityExperiment {
         List<Panel> panels = solvers.stream().map(one -> one.region(far)).toList();
         List<Series> scale = panels.get(0).charts().get(0).scale();
         return Picture.panels("region-" + group, """
-                Stable in the shaded region. Vibrations without damping lie on the imaginary axis, decay without \
-                vibration on the negative real axis; beyond the frame the regions go on.""",
+                Stable in the shaded region, which may go on beyond the frame. Above it, the largest stable deltaT \
+                omega of a critically damped spring, on the negative real axis, and of an undamped one, on the \
+                imaginary axis.""",
                 "Stability regions, measured: " + group, panels.stream().map(panel ->
                 panel.with(panel.title(), List.of(panel.charts().get(0).scaledTo(scale)))).toList());
     }
@@ -76,9 +77,10 @@ final class StabilityExperiment {
         return (folder, progress) -> asked.page(scene.title() + ": longest stable step, fastest mode |lambda| = "
                 + Digits.few(spectrum.decaying().get(0).size()) + " /s",
                 List.of(Picture.of("eigenvalues", """
-                        Each point is the step times an eigenvalue of the equations, linearised at the start. A step \
-                        is safe where all points to the left of the imaginary axis, or on it, lie where the solver is \
-                        stable: inside the outline of an explicit one, and outside or left of an implicit one's.""",
+                        Each point is deltaT times an eigenvalue of the equations, linearised at the start. A step is \
+                        stable if all points on the imaginary axis, or left of it, lie inside the outline of an \
+                        explicit or symplectic solver, or outside that of an implicit one; implicit-midpoint's is the \
+                        imaginary axis itself.""",
                         SceneStability.plane(scene.title(), spectrum, scene.deltaT(), asked.solvers()))
                         .first(List.of("euler", "midpoint", "rk4", "symplectic-euler", "verlet"))),
                 List.of(SceneStability.table(SceneStability.limits(spectrum, scene.deltaT(), asked.solvers(), progress),
@@ -89,6 +91,7 @@ final class StabilityExperiment {
         return DataTable.of("modes", "The fastest modes of the scene's start",
                 spectrum.modes().subList(0, Math.min(MOST_MODES, spectrum.modes().size())),
                 column("Re lambda (1/s)", 6, Mode::re), column("Im lambda (1/s)", 6, Mode::im),
-                column("period (s)", mode -> mode.im() == 0 ? Double.POSITIVE_INFINITY : 2 * Math.PI / mode.im()));
+                column("period (s)", mode -> mode.im() == 0 ? Double.NaN : 2 * Math.PI / mode.im()),
+                column("moves most", Mode::farthest));
     }
 }

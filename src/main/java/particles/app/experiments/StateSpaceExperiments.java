@@ -38,7 +38,7 @@ final class StateSpaceExperiments {
                 String step = Digits.exact(figure.deltaT());
                 panels.add(Panel.phase(figure.solver() + ", deltaT = " + step + " s, " + figure.steps() + " steps",
                         LectureFigures.chart(result), Optional.of(LectureFigures.field(LectureFigures.reach(result))))
-                        .answered(Digits.format("amplitude \u00d7 %.4g, phase %+.3g rad", result.amplitude(),
+                        .answered(Digits.format("amplitude \u00d7 %.4g, phase error %+.3g rad", result.amplitude(),
                         result.phaseError())).named(figure.solver() + "-" + step + "s-" + figure.steps() + "-steps"));
             }
             String title = "The slides' figures: x'' = \u2212x in state space";

@@ -83,12 +83,12 @@ public final class DriftCharts {
      * @return a row for each solver; failures have a column only if there are any
      */
     public static DataTable table(Comparison comparison) {
-        return DataTable.of("drift", "Numerical energy error in percent of the energy scale of an accurate run, "
+        return DataTable.of("drift", "Energy error in percent of the energy scale, "
                 + Digits.few(comparison.scale(), 4) + " J", comparison.drifts(), column("solver", Drift::label),
                 column("deltaT (s)", drift -> drift.setting().deltaT()),
-                column("end drift (%)", 2, drift -> PERCENT * drift.end()),
-                column("largest (%)", 2, drift -> PERCENT * drift.extreme()),
-                column("slope (%/s)", 3, drift -> PERCENT * drift.slope()),
+                column("error at the end (%)", 2, drift -> PERCENT * drift.end()),
+                column("largest error (%)", 2, drift -> PERCENT * drift.extreme()),
+                column("fitted slope (%/s)", 3, drift -> PERCENT * drift.slope()),
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("CPU time (s)", 2, drift -> drift.outcome().seconds()),
                 column("what went wrong", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();

@@ -152,8 +152,8 @@ public final class LectureFigures {
      */
     public static DataTable table(List<Result> results) {
         return DataTable.of("figures", """
-                Amplitude, energy and phase after N steps of h = deltaT, each measured and beside it by theory, where \
-                R(i h) is the complex factor of a step (omega = 1)""", results,
+                Amplitude, energy and phase error after N steps of h = deltaT, each measured and then from theory""",
+                results,
                 column("solver", result -> result.figure().solver()),
                 column("deltaT (s)", 6, result -> result.figure().deltaT()),
                 column("steps", result -> result.figure().steps()), column("evaluations", Result::evaluations),

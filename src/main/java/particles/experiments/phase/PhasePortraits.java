@@ -75,17 +75,14 @@ public final class PhasePortraits {
                 .toList();
         List<Portrait> rows = new ArrayList<>(portraits);
         rows.add(new Portrait(particle, axis, exact, exact, runs.get(0).outcome()));
-        String position = axis == Coordinate.ANGLE ? "angle%s (rad)" : "position%s (m)";
-        String velocity = axis == Coordinate.ANGLE ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
-        return new Portraits(portraits, DataTable.of("ends", "Where the particle was at the end",
-                rows, column("particle", Portrait::particle), column("axis", row -> row.axis().symbol()),
+        return new Portraits(portraits, DataTable.of("ends", "Where '" + particle + "' was at the end", rows,
                 column("solver", Portrait::solver),
-                column(position.formatted(""), row -> last(row.path().x())),
-                column(velocity.formatted(""), row -> last(row.path().y())),
-                column(position.formatted(" error"), 3, row -> row.error(Series::x)),
-                column(velocity.formatted(" error"), 3, row -> row.error(Series::y)),
+                column(axis.position("").label(), row -> last(row.path().x())),
+                column(axis.velocity("").label(), row -> last(row.path().y())),
+                column(axis.position(" error").label(), 3, row -> row.error(Series::x)),
+                column(axis.velocity(" error").label(), 3, row -> row.error(Series::y)),
                 column("evaluations", row -> row.outcome().evaluations()),
-                column("what went wrong", row -> row.outcome().failure().orElse(""))));
+                column("what went wrong", row -> row.outcome().failure().orElse(""))).withoutEmptyColumns());
     }
 
     private static Series path(Run run, Coordinate axis, Look look, String name) {

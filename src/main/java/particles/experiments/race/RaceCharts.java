@@ -67,14 +67,14 @@ public final class RaceCharts {
      * @return the table, with a row for each solver
      */
     public static DataTable table(Result race) {
-        return DataTable.of("race", title(race), race.lanes(), column("solver", Lane::label),
+        return DataTable.of("race", "What each solver reached", race.lanes(), column("solver", Lane::label),
                 column("deltaT (s)", lane -> lane.drift().setting().deltaT()),
                 column("tolerance", 2, lane -> lane.drift().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),
                 column("distance, rms (m)", 3, RaceCharts::rms),
-                column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
+                column("distance at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),
-                column("largest energy error / scale", 2, lane -> Math.abs(lane.drift().extreme())),
+                column("largest energy error (%)", 2, lane -> 100 * lane.drift().extreme()),
                 column("left the race at (s)", 3, lane -> lane.left().orElse(Double.NaN)),
                 column("what went wrong", lane -> lane.drift().outcome().failure().orElse(""))).withoutEmptyColumns();
     }

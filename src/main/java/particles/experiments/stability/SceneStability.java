@@ -54,10 +54,6 @@ public final class SceneStability {
             }
             return solver.adaptive() && deltaT == 0 ? "-" : new StabilityLimit(deltaT, growth).text();
         }
-
-        private String named() {
-            return mode.map(one -> Digits.format("'%s', |lambda| = %.4g /s", one.farthest(), one.size())).orElse("");
-        }
     }
 
     private SceneStability() {
@@ -105,11 +101,12 @@ public final class SceneStability {
      * @return the table: a row for each solver
      */
     public static DataTable table(List<Limit> limits, double deltaT) {
-        return DataTable.of("largest-safe-step", "The longest stable deltaT (s), from the equations linearised at the"
-                + " scene's start. Growth is given for a step of " + Digits.exact(deltaT) + " s, the scene's deltaT",
-                limits, column("solver", limit -> limit.solver().label()),
+        return DataTable.of("longest-stable-step", "The longest stable deltaT and the mode that sets it, from the"
+                + " equations linearised at the scene's start. Where every step grows: by how much in the scene's step,"
+                + " " + Digits.exact(deltaT) + " s", limits, column("solver", limit -> limit.solver().label()),
                 column("longest stable deltaT (s)", Limit::text),
-                column("mode that sets it", Limit::named));
+                column("|lambda| of the mode (1/s)", 4, limit -> limit.mode().map(Mode::size).orElse(Double.NaN)),
+                column("moves most", limit -> limit.mode().map(Mode::farthest).orElse("")));
     }
 
     /**

@@ -52,7 +52,7 @@ public record SolverStability(String name, Look look, Amplification amplificatio
     public Panel region(double far) {
         StabilityMap map = StabilityMap.of(amplification, far);
         return Panel.map(name, StabilityMap.plane(far, List.of(map.filled(look), map.outline(look, name))))
-                .named(name).answered("stable: damped " + damped.range() + ", undamped " + undamped.range());
+                .named(name).answered("damped: " + damped.brief() + ", undamped: " + undamped.brief());
     }
 
     /**
@@ -60,12 +60,13 @@ public record SolverStability(String name, Look look, Amplification amplificatio
      * @return their limits, beside those that the catalogue states
      */
     public static DataTable table(List<SolverStability> measured) {
-        return DataTable.of("limits", "The largest stable deltaT omega, and the growth in a step of 0.1 where every"
-                + " step grows", measured, column("solver", SolverStability::name),
-                column("undamped spring: stated", stated(SolverInfo::imaginaryLimit)),
-                column("undamped spring: measured", one -> one.undamped.text()),
-                column("critical damping: stated", stated(SolverInfo::dampedLimit)),
-                column("critical damping: measured", one -> one.damped.text()));
+        return DataTable.of("limits", "The largest stable deltaT omega of a spring without damping and of a critically"
+                + " damped one. Where every step grows: by how much at deltaT omega = 0.1", measured,
+                column("solver", SolverStability::name),
+                column("undamped limit: stated", stated(SolverInfo::imaginaryLimit)),
+                column("undamped limit: measured", one -> one.undamped.text()),
+                column("damped limit: stated", stated(SolverInfo::dampedLimit)),
+                column("damped limit: measured", one -> one.damped.text()));
     }
 
     /** Of a class of your own, nothing is stated. */

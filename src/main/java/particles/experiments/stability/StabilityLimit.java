@@ -68,19 +68,17 @@ public record StabilityLimit(double value, double growth) {
 
     /** @return the text in a table; a dash if there is no number */
     String text() {
-        if (Double.isNaN(value)) {
-            return "-";
-        }
-        if (value == 0) {
-            return Double.isNaN(growth) ? "always grows"
-                    : growth < ROUND_OFF ? "no growth above 1e-12 per step"
-                    : Digits.format("always grows: %s per step", Digits.few(growth));
-        }
-        return value == Double.POSITIVE_INFINITY ? "unbounded" : Digits.format("%.4f", value);
+        return value != 0 || Double.isNaN(growth) ? brief()
+                : growth < ROUND_OFF ? "no growth above 1e-12 per step"
+                : Digits.format("always grows: %s per step", Digits.few(growth));
     }
 
-    /** @return for which steps nothing grows, in a line */
-    String range() {
-        return value == 0 ? "never" : value == Double.POSITIVE_INFINITY ? "always" : "to " + Digits.few(value, 4);
+    /** @return the text above a region, without the growth; a dash if that cannot be told from round-off */
+    String brief() {
+        if (Double.isNaN(value) || value == 0 && growth < ROUND_OFF) {
+            return "-";
+        }
+        return value == 0 ? "always grows" : value == Double.POSITIVE_INFINITY ? "unbounded"
+                : Digits.format("%.4f", value);
     }
 }

@@ -214,7 +214,7 @@ class CheckSolverCommandTest {
         assertStarts(screen, "Iterates: right. This is backward Euler.");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         assertHas(report, "(region.png)", "a step of 1 s is refused",
-                "stable: damped to 0.871, undamped to 0.871");
+                "damped: 0.8710, undamped: 0.8710");
     }
 
     /** Each has 10,000 steps or more, of 0.6 s or more in all, and an endless loop is told after 0.2 s. */
