@@ -56,10 +56,10 @@ public final class RaceCharts {
                 race.work());
     }
 
-    /** Root mean square over the frames (m); NaN where there is nothing to compare. */
+    /** Root mean square over the frames (m); NaN of a part of the race, or where there is nothing to compare. */
     private static double rms(Lane lane) {
-        return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average()
-                .orElse(Double.NaN));
+        return lane.left().isPresent() ? Double.NaN : Math.sqrt(Arrays.stream(lane.distance())
+                .filter(d -> d >= 0).map(d -> d * d).average().orElse(Double.NaN));
     }
 
     /**

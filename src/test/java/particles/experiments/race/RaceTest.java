@@ -166,6 +166,7 @@ class RaceTest {
         }
         DataTable table = RaceCharts.table(race);
         assertEquals(left, cell(table, 0, "left the race at (s)"));
+        assertEquals(Double.NaN, cell(table, 0, "distance, rms (m)"), "a part of the race is not compared");
         assertEquals(left / euler.drift().setting().deltaT(), (Long) cell(table, 0, "evaluations"), 1,
                 "evaluations until then, and not those of its share");
         assertHas(cell(table, 0, "what went wrong").toString(), "the numerical error is ");
