@@ -24,8 +24,9 @@ import particles.spec.messages.Problems;
 
 /**
  * Edits the text of a scene that has no mistakes: places, joins, fixes and removes particles. All other text stays as
- * it is, with its comments, in block style as in flow style. Whether the new text is a scene is for {@link SceneReader}
- * to say.
+ * it is, with its comments and line ends, in block style as in flow style; but an entry that is removed from a list in
+ * flow style takes along what stands between it and the one before it. Whether the new text is a scene is for {@link
+ * SceneReader} to say.
  */
 public final class SceneEditor {
     /** The keys whose values are ids of particles. */
@@ -33,7 +34,8 @@ public final class SceneEditor {
 
     private static final Pattern PLAIN = Pattern.compile("(?!(?:true|false|null)$)[A-Za-z][\\w-]*");
 
-    private final String text;
+    private final String text;                          // with line feeds, as the parser counts
+    private final String lineEnd;
     private final MappingNode root;
 
     /** A key and its value, or an entry of a list, which is both. */
@@ -49,9 +51,10 @@ public final class SceneEditor {
      * @throws InvalidInputException if it is not valid YAML
      */
     public SceneEditor(String text) {
-        this.text = text;
+        this.text = text.replaceFirst("^\ufeff", "").replaceAll("\r\n?", "\n");
+        lineEnd = text.contains("\r\n") ? "\r\n" : "\n";
         Problems problems = new Problems();
-        root = YamlText.compose(text.getBytes(StandardCharsets.UTF_8), new Reading("scene", problems))
+        root = YamlText.compose(this.text.getBytes(StandardCharsets.UTF_8), new Reading("scene", problems))
                 .filter(MappingNode.class::isInstance).map(MappingNode.class::cast)
                 .orElseThrow(() -> new InvalidInputException(problems.lines()));
     }
@@ -98,7 +101,7 @@ public final class SceneEditor {
     /** Adds an entry in flow style to a list at the top, which the scene may lack. */
     private Change addition(String list, String entry) {
         return find(root, list).map(node -> addition(node, entry)).orElseGet(() -> addition(root,
-                isFlow(root) ? list + ": [" + entry + "]" : "\n" + list + ":\n  - " + entry));
+                list + ":" + (isFlow(root) ? " [" + entry + "]" : newLine(root) + "  - " + entry)));
     }
 
     /**
@@ -130,8 +133,13 @@ public final class SceneEditor {
             return new Change(at, at, (last == null ? "" : ", ") + part);
         }
         int at = endOfLine(end(last.value));
-        return new Change(at, at, "\n" + " ".repeat(parent.getStartMark().orElseThrow().getColumn())
+        return new Change(at, at, (parent == root ? "\n" : "") + newLine(parent)
                 + (parent instanceof SequenceNode ? "- " : "") + part);
+    }
+
+    /** The end of a line and the indentation of a node in block style. */
+    private static String newLine(Node node) {
+        return "\n" + " ".repeat(node.getStartMark().orElseThrow().getColumn());
     }
 
     /**
@@ -171,19 +179,21 @@ public final class SceneEditor {
             return kept ? new Change(end(parts.get(i - 1).value), to, "")
                     : new Change(from, i + 1 < parts.size() ? start(parts.get(i + 1).key) : to, "");
         }
-        int dash = parent instanceof SequenceNode ? text.lastIndexOf('-', from - 1) : from;
+        if (parent instanceof SequenceNode) {           // comments may stand between the dash and its entry
+            from = i == 0 ? start(parent) : text.indexOf(newLine(parent) + "-", end(parts.get(i - 1).value)) + 1;
+        }
         int next = Math.min(text.length(), endOfLine(to) + 1);
         while (parent == root && next < text.length() && text.charAt(next) == '\n') {
             next++;
         }
-        return new Change(text.lastIndexOf('\n', dash) + 1, next, "");
+        return new Change(text.lastIndexOf('\n', from) + 1, next, "");
     }
 
     private String with(List<Change> changes) {
         StringBuilder changed = new StringBuilder(text);
         changes.stream().sorted(Comparator.comparing(Change::from).reversed())
                 .forEach(change -> changed.replace(change.from, change.to, change.text));
-        return changed.toString();
+        return changed.toString().replace("\n", lineEnd);
     }
 
     private static List<Part> parts(Node node) {

@@ -105,6 +105,46 @@ class SceneEditorTest {
     }
 
     @Test
+    void windowsLineEndsStayAndAByteOrderMarkGoes() {
+        String text = HEAD + """
+                particles:
+                  - {id: a, position: [0, 0, 0]}
+                  - {id: b, position: [0, 1, 0]}    # the second
+
+                effects:
+                  - gravity
+                """;
+        SceneEditor windows = edit("\ufeff" + text.replace("\n", "\r\n"));
+        for (List<String> both : List.of(List.of(edit(text).place(1, 0, 0), windows.place(1, 0, 0)),
+                List.of(edit(text).toggleFixed("b"), windows.toggleFixed("b")),
+                List.of(edit(text).join("a", "b", true), windows.join("a", "b", true)),
+                List.of(edit(text).remove("b"), windows.remove("b")))) {
+            build(both.get(0));
+            assertEquals(both.get(0).replace("\n", "\r\n"), both.get(1));
+        }
+    }
+
+    @Test
+    void aDashMayStandLinesBeforeItsEntryAndTheWholeSceneFurtherRight() {
+        String text = (HEAD + """
+                particles:
+                  - # left - first
+                    id: a
+                    position: [0, 0, 0]
+                  -
+                    # right - second
+                    id: b
+                    position: [0, 1, 0]
+                """).replaceAll("(?m)^(?=.)", "  ");
+        assertEquals(text.substring(0, text.indexOf("    -\n")), edit(text).remove("b"));
+        assertEquals(text.substring(0, text.indexOf("    - #")) + text.substring(text.indexOf("    -\n")),
+                edit(text).remove("a"));
+        String joined = edit(text).join("a", "b", false);
+        assertEquals(text + "\n  springs:\n    - {from: a, to: b, stiffness: 100, damping: 1}\n", joined);
+        build(joined);
+    }
+
+    @Test
     void aSceneInFlowStyleStaysInFlowStyle() {
         String text = "{title: t, teaches: t, solver: rk4, deltaT: 0.01, duration: 1, particles: [" + MASS + ",\n ]}";
         String joined = edit(edit(text).place(0, 1, 0)).join("m1", "m2", true);
