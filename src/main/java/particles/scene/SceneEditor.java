@@ -82,15 +82,16 @@ public final class SceneEditor {
      */
     public String join(String from, String to, boolean muscle) {
         String ends = "{from: " + written(from) + ", to: " + written(to);
-        Change plain = addition("springs", ends + ", stiffness: 100, damping: 1}");
+        List<Change> spring = List.of(addition("springs", ends + ", stiffness: 100, damping: 1}"));
         if (!muscle) {
-            return with(List.of(plain));
+            return with(spring);
         }
-        Change change = addition("effects", "muscles: {amplitude: 0.2, period: 1, springs: [" + ends + "}]}");
-        boolean isThere = find(root, "springs").stream().flatMap(list -> parts(list).stream()).map(spring ->
-                Stream.of("from", "to").flatMap(end -> find(spring.value, end).stream()).toList())
+        boolean isThere = find(root, "springs").stream().flatMap(list -> parts(list).stream()).map(one ->
+                Stream.of("from", "to").flatMap(end -> find(one.value, end).stream()).toList())
                 .anyMatch(both -> both.stream().allMatch(end -> is(end, from) || is(end, to)));
-        return with(isThere ? List.of(change) : List.of(change, plain));
+        SceneEditor joined = isThere ? this : new SceneEditor(with(spring));    // both may be at the text's end
+        return joined.with(List.of(joined.addition("effects",
+                "muscles: {amplitude: 0.2, period: 1, springs: [" + ends + "}]}")));
     }
 
     /** An id, in quotes where YAML would take it for something else. */
