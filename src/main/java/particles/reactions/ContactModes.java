@@ -21,26 +21,26 @@ public final class ContactModes {
 
     private final Particles particles;
     private final int surfaces;
-    private final Contacts free;                        // of all particles that never touched any surface
-    private Contacts[] contacts = {};                   // by particle
-    private int touching;
+    private final OfParticle free;                      // of all particles that never touched any surface
+    private OfParticle[] known = {};                    // by particle
+    private int touching;                               // the number of touched surfaces of all particles
     private int changes;
 
     /** Makes modes for a number of surfaces, all free. */
     public ContactModes(Particles particles, int surfaces) {
         this.particles = particles;
         this.surfaces = surfaces;
-        free = new Contacts(surfaces);
+        free = new OfParticle(surfaces);
     }
 
     /** The modes of a particle, with the answers that rules and forces ask for in every step. */
-    private static final class Contacts {
+    private static final class OfParticle {
         private final Mode[] modes;                     // by surface
         private Mode most = Mode.FREE;
         private int touched;                            // the number of surfaces that it touches
         private int last = -1;                          // the last of them
 
-        Contacts(int surfaces) {
+        OfParticle(int surfaces) {
             modes = new Mode[surfaces];
             Arrays.fill(modes, Mode.FREE);
         }
@@ -59,8 +59,8 @@ public final class ContactModes {
         }
     }
 
-    private Contacts of(int particle) {
-        return particle < contacts.length ? contacts[particle] : free;
+    private OfParticle of(int particle) {
+        return particle < known.length ? known[particle] : free;
     }
 
     /**
@@ -83,15 +83,15 @@ public final class ContactModes {
             return;
         }
         changes++;
-        int known = contacts.length;
-        if (known < particles.count()) {
-            contacts = Arrays.copyOf(contacts, particles.count());
-            Arrays.fill(contacts, known, contacts.length, free);
+        int end = known.length;
+        if (end < particles.count()) {
+            known = Arrays.copyOf(known, particles.count());
+            Arrays.fill(known, end, known.length, free);
         }
-        if (contacts[particle] == free) {
-            contacts[particle] = new Contacts(surfaces);
+        if (known[particle] == free) {
+            known[particle] = new OfParticle(surfaces);
         }
-        contacts[particle].set(surface, mode);
+        known[particle].set(surface, mode);
         touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
     }
 
@@ -116,14 +116,14 @@ public final class ContactModes {
 
     /** Updates indices after particles were removed. */
     public void reindex(int[] newIndex) {
-        Contacts[] before = contacts;
-        contacts = new Contacts[particles.count()];
-        Arrays.fill(contacts, free);
+        OfParticle[] before = known;
+        known = new OfParticle[particles.count()];
+        Arrays.fill(known, free);
         touching = 0;
         changes++;
         for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
             if (newIndex[i] >= 0) {
-                contacts[newIndex[i]] = before[i];
+                known[newIndex[i]] = before[i];
                 touching += before[i].touched;
             }
         }
@@ -141,7 +141,7 @@ public final class ContactModes {
 
     /** @return one more than the largest index of a particle that ever touched a surface, or more */
     public int end() {
-        return contacts.length;
+        return known.length;
     }
 
     /**

@@ -6,12 +6,17 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.function.Supplier;
 import particles.law.Particles;
+import particles.law.Scales;
 import particles.law.Vector3;
 import particles.reactions.NormalForces.Push;
 import particles.reactions.Row.Kind;
 
-/** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
+/**
+ * Answers questions of rules between steps: how large a normal force is, whether static friction can hold, and which
+ * particles sliding friction may stop.
+ */
 public final class ContactQueries {
     private final Contacts contacts;
     private final ContactModes modes;
@@ -120,6 +125,41 @@ public final class ContactQueries {
         boolean moves = failure.isPresent()             // the rods' motion keeps it from standing still
                 || block.left > Tolerances.STANDSTILL && isDriven(block, -1, state);
         return moves ? -1 : forcesAtRest(block, state, force).margin(particle);
+    }
+
+    /**
+     * Whether Coulomb friction may turn so sharply within a time that a solver fails in one step: near a stop its
+     * direction turns as fast as the velocity's, however slow that is.
+     *
+     * @param time the length of time from now (s)
+     * @return whether the forces could stop any sliding particle within that time
+     */
+    public boolean mayStopWithin(double time) {
+        double[] force = new double[contacts.system.getStateSize()];
+        contacts.system.addUpEffects(contacts.system.getOwnState(), contacts.system.getTime(), force);
+        return !findStopping(time, () -> force).isEmpty();
+    }
+
+    /**
+     * Finds the sliding particles that the forces could stop; a loop, since each step asks.
+     *
+     * @param time   the length of time from now (s)
+     * @param forces the total force of all effects (N), evaluated only if a particle slides with Coulomb friction
+     * @return the particles
+     */
+    public BitSet findStopping(double time, Supplier<double[]> forces) {
+        BitSet stops = new BitSet();
+        double[] state = contacts.system.getOwnState();
+        for (int i = 0; i < modes.end(); i++) {
+            double rubbing = modes.isSticking(i) ? 0 : contacts.largest(i, f -> f.ofCoulomb(1));
+            if (rubbing > 0) {
+                double speed = Vector3.at(state, Particles.STRIDE * i + 3).length();
+                double pull = Vector3.at(forces.get(), Particles.STRIDE * i + 3).length() / contacts.particles.mass(i);
+                double sharpness = contacts.scalesOf(i).map(Scales::sharpness).orElse(1.0);
+                stops.set(i, speed <= Tolerances.STOPS * time * (1 + rubbing * sharpness) * pull);
+            }
+        }
+        return stops;
     }
 
     /**

@@ -2,10 +2,8 @@ package particles.reactions;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import particles.ParticleSystem;
 import particles.law.Particles;
@@ -218,7 +216,7 @@ public final class Contacts {
     }
 
     /** The largest value for the friction of the surfaces that a particle touches; 0 if there is none. */
-    private double largest(int particle, ToDoubleFunction<Friction> value) {
+    double largest(int particle, ToDoubleFunction<Friction> value) {
         double largest = 0;
         for (int p = 0; p < surfaces.size(); p++) {
             largest = modes.get(p, particle) == Mode.FREE ? largest
@@ -248,41 +246,6 @@ public final class Contacts {
     /** @return the largest threshold of the friction that acts on a particle (m/s), below which it may stick */
     public double threshold(int particle) {
         return largest(particle, Friction::threshold);
-    }
-
-    /**
-     * Whether Coulomb friction may turn so sharply within a time that a solver fails in one step: near a stop its
-     * direction turns as fast as the velocity's, however slow that is.
-     *
-     * @param time the length of time from now (s)
-     * @return whether the forces could stop any sliding particle within that time
-     */
-    public boolean mayStopWithin(double time) {
-        double[] force = new double[system.getStateSize()];
-        system.addUpEffects(system.getOwnState(), system.getTime(), force);
-        return !findStopping(time, () -> force).isEmpty();
-    }
-
-    /**
-     * Finds the sliding particles that the forces could stop; a loop, since each step asks.
-     *
-     * @param time   the length of time from now (s)
-     * @param forces the total force of all effects (N), evaluated only if a particle slides with Coulomb friction
-     * @return the particles
-     */
-    public BitSet findStopping(double time, Supplier<double[]> forces) {
-        BitSet stops = new BitSet();
-        double[] state = system.getOwnState();
-        for (int i = 0; i < modes.end(); i++) {
-            double rubbing = modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
-            if (rubbing > 0) {
-                double speed = Vector3.at(state, STRIDE * i + 3).length();
-                double pull = Vector3.at(forces.get(), STRIDE * i + 3).length() / particles.mass(i);
-                double sharpness = scalesOf(i).map(Scales::sharpness).orElse(1.0);
-                stops.set(i, speed <= Tolerances.STOPS * time * (1 + rubbing * sharpness) * pull);
-            }
-        }
-        return stops;
     }
 
     /**

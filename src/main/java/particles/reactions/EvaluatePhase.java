@@ -12,7 +12,7 @@ final class EvaluatePhase {
 
     final SlidingFriction sliding;
     private final Contacts contacts;
-    private double[] accelerations = {};
+    private double[] accelerations = {};                // of moving anchors, and W F of a block's particles
 
     EvaluatePhase(Contacts contacts) {
         this.contacts = contacts;

@@ -16,8 +16,9 @@ import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
 
 /**
- * The first phase, which gathers who is joined and who touches what: the blocks of the system and the rows of each. The
- * set of rows changes only with the contact modes.
+ * The first phase, which gathers who is joined and who touches what: the blocks of the system and the rows of each.
+ * Blocks stay until a rod, wire or contact of balls is added or removed, their rows of forces also until a contact mode
+ * changes.
  */
 final class GatherPhase {
     private final Contacts contacts;
@@ -117,7 +118,7 @@ final class GatherPhase {
 
     /** As {@link #gather(Block, boolean)}, while given particles are held. */
     void gather(Block block, BitSet held, boolean balls) {
-        boolean lasts = !block.hasPairs || held == block.sticking && balls;
+        boolean lasts = !block.hasPairs || held == block.sticking && balls;     // where balls touch, those of forces
         if (!lasts || block.gatheredAt != modes.getChanges() || !block.held.equals(held)) {
             gather(block, held, balls, (surface, i) -> modes.get(surface, i) != Mode.FREE);
             block.gatheredAt = lasts ? modes.getChanges() : Block.NEVER;

@@ -7,11 +7,15 @@
  * coefficient, and mu<sub>s</sub> that of rest; x', the derivative by time; F<sub>t</sub> and v<sub>t</sub>, the parts
  * along a surface.
  *
- * <p><b>Phases.</b> {@link particles.reactions.Contacts} has the data, a row for each rod, wire and contact, and a
- * block for those that depend on each other. {@link particles.reactions.GatherPhase} gathers who is joined and who
- * touches what, {@link particles.reactions.EvaluatePhase} evaluates gaps, velocities and the matrix, {@link
- * particles.reactions.SolvePhase} solves for forces or impulses by one active-set method, and {@link
- * particles.reactions.ApplyPhase} adds the forces, or changes places and velocities. No phase knows a later one.
+ * <p><b>Phases.</b> {@link particles.reactions.Contacts} has who touches what, and a {@link particles.reactions.Row}
+ * for each rod, each two balls in contact and, twice, each bead on a wire. {@link particles.reactions.GatherPhase}
+ * gathers the rows that depend on each other in a {@link particles.reactions.Block}, with one more for each particle at
+ * each surface that it touches; {@link particles.reactions.EvaluatePhase} evaluates gaps, velocities and the matrix,
+ * {@link particles.reactions.SolvePhase} solves for forces or impulses by one active-set method, and {@link
+ * particles.reactions.ApplyPhase} adds the forces, or changes places and velocities. No phase knows a later one. The
+ * reactions {@link particles.reactions.RestingContacts} and {@link particles.reactions.RigidConstraints} run them in
+ * each evaluation; rules do through {@link particles.reactions.BlockImpacts}, {@link particles.reactions.BallContacts}
+ * and {@link particles.reactions.ContactQueries}.
  *
  * <p><b>Unknowns.</b> A constraint is a function C(x) that is to stay 0: a rod is one, its length minus the prescribed
  * one; a wire is two; a contact is one, C = d. Each is a row of equations. Its force is lambda times the gradient of C.

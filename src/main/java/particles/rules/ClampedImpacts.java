@@ -28,9 +28,8 @@ import particles.reactions.Tolerances;
  * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
  * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
  * friction's threshold or has reversed within a step, if static friction can hold it. In a step in which Coulomb
- * friction may stop it, friction acts as an impulse, see {@link
- * particles.reactions.Contacts#stopAfter}; where that would let it slide visibly too far, the step is divided at the
- * stop.
+ * friction may stop it, friction acts as an impulse, see {@link particles.reactions.Contacts#stopAfter}; where that
+ * would let it slide visibly too far, the step is divided at the stop.
  */
 public final class ClampedImpacts extends Impacts {
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
@@ -63,7 +62,7 @@ public final class ClampedImpacts extends Impacts {
         super.beforeStep(system, deltaT);
         forceKnown = isForeseen;
         foreseenStep = Double.NaN;
-        BitSet stopping = isForeseen ? foreseen : contacts.findStopping(deltaT, this::forces);
+        BitSet stopping = isForeseen ? foreseen : resting.getQueries().findStopping(deltaT, this::forces);
         double[] state = system.getOwnState();
         stepEnd = system.getTime() + deltaT;
         stops.clear();
@@ -128,7 +127,7 @@ public final class ClampedImpacts extends Impacts {
         for (int i = 0; i < modes.end(); i++) {
             changed |= slideOrStick(i);
         }
-        foreseen = contacts.findStopping(whole, this::forces);
+        foreseen = resting.getQueries().findStopping(whole, this::forces);
         foreseenStep = whole;
         foreseenAt = modes.getChanges();
         return !foreseen.isEmpty() || changed;          // friction as an impulse has a new direction in each step

@@ -74,7 +74,7 @@ public final class ExactImpacts extends Impacts {
 
     @Override
     public boolean mayTurnWithin(ParticleSystem system, double time) {
-        return modes.isAnyTouching() && contacts.mayStopWithin(time);
+        return modes.isAnyTouching() && resting.getQueries().mayStopWithin(time);
     }
 
     @Override

@@ -117,7 +117,7 @@ public final class BlowUpMessage {
 
     private boolean mayStop() {
         return scene.system().getReactions().stream().anyMatch(reaction -> reaction instanceof RestingContacts contacts
-                && contacts.getContacts().mayStopWithin(scene.simulation().getDeltaT()));
+                && contacts.getQueries().mayStopWithin(scene.simulation().getDeltaT()));
     }
 
     private List<String> ofForces(SolverInfo known) {
