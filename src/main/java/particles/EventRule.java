@@ -44,8 +44,8 @@ public interface EventRule extends Rule {
     }
 
     /**
-     * Tells whether a step at which the solver fails may be made as two of half the length, since the rule, which acts
-     * after each, then has less to change.
+     * Tells whether a step at which the solver fails may be made in two halves. The rule acts after each, so less
+     * changes within one.
      *
      * @return whether the step may be divided
      */

@@ -64,7 +64,7 @@ final class EventSteps {
         }
     }
 
-    /** Whether a step at which the solver fails may be made as two of half the length. */
+    /** Whether a step at which the solver fails may be made in two halves. */
     boolean mayDivide() {
         return rules.stream().anyMatch(EventRule::mayDivide);
     }

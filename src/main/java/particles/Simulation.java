@@ -19,7 +19,7 @@ import particles.law.Violation;
 public final class Simulation {
     /** Times that differ by this fraction of deltaT are the same, but for round-off. */
     private static final double ROUNDING = 1e-6;
-    /** The shortest part of a step that is divided where the solver fails, relative to the step. */
+    /** A part of a step that is longer than this is divided where the solver fails (relative to deltaT). */
     private static final double SHORTEST_PART = 0x1p-6;
     /** The largest violation of a constraint in a run, relative to its scale. */
     private static final double WRONG = 0.1;
@@ -195,8 +195,8 @@ public final class Simulation {
     }
 
     /**
-     * Makes one step that counts as this many. A step as long as deltaT but for round-off is exactly that long. One at
-     * which the solver fails is divided where a rule allows it: the rest of the step is then as with half the deltaT.
+     * Makes one step that counts as this many. A step as long as deltaT but for round-off is exactly that long. Where
+     * the solver fails and a rule allows it, what is left of the step is made in two halves, each as a step of its own.
      */
     private void step(double end, int counted) {
         double left = end - system.getTime();
@@ -211,7 +211,7 @@ public final class Simulation {
             // calls solver.stepState; in pieces if there are events
             recorded = eventSteps.move(h, end, recordMotion);
         } catch (DESolverException e) {
-            double rest = end - system.getTime();       // the system is back at the beginning or its last event
+            double rest = end - system.getTime();       // where the solver failed: after the last event, if any
             if (rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
                 divisions++;
                 solver.reset();

@@ -16,7 +16,8 @@
  *         {@link particles.law.Reaction}, which depend on that sum (contact, friction, rods; where a particle has
  *         both a rod and a contact, both are solved together);</li>
  *     <li>if an {@link particles.EventRule} sees an impact in the step, {@link particles.EventLocator} finds its exact
- *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
+ *         time. The step is repeated up to there, the impact acts, and the rest of the step follows;</li>
+ *     <li>if the solver fails in contact, the step is made in two halves, each in this order.</li>
  *     </ul></li>
  * <li>Each {@link particles.Observer} whose time has come sees the motion: frames, plots, the {@code
  *     particles.energy.EnergyLedger}.</li>

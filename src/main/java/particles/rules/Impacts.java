@@ -76,7 +76,7 @@ abstract class Impacts implements EventRule {
         forceKnown = false;
     }
 
-    /** {@inheritDoc} In contact, where it is an unknown of a step which surfaces push and where friction stops. */
+    /** {@inheritDoc} In contact: then which surfaces push and what friction stops are unknowns of a step. */
     @Override
     public final boolean mayDivide() {
         return modes.isAnyTouching();
