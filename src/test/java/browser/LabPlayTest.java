@@ -198,7 +198,7 @@ class LabPlayTest extends LabPageTestCase {
         page.script("window.saved = {}; HTMLAnchorElement.prototype.click = function () {"
                 + " fetch(this.href).then(file => file.blob())"
                 + ".then(blob => { window.saved[this.download] = blob; }); };"
-                + " document.querySelector('.picture details').open = true;");
+                + " document.querySelector('details.beside').open = true;");
         page.openScene("14-thrown-dumbbell");
         page.click("film");
         page.script("const {width, height} = document.querySelector('#view canvas'); window.filmed = [width, height];");
