@@ -63,9 +63,10 @@ final class Experiments {
                 String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                         + solved.origin() + ". At the curves: ";
                 pictures.add(Picture.of(solved.name() + "-evaluations", caption + "the slope of the three finest runs"
-                        + " above round-off, and in brackets that of theory." + (solved.isStiff() ? " Implicit solvers:"
-                        + " of the finest with deltaT over " + Digits.few(solved.stiffDeltaT()) + " s, where the"
-                        + " springs are stiff." : ""), WorkPrecision.byEvaluations(runs)).first(first));
+                        + " above round-off, if they are on a line, and in brackets that of theory."
+                        + (solved.isStiff() ? " Implicit solvers: of the finest with deltaT over "
+                        + Digits.few(solved.stiffDeltaT()) + " s, where the springs are stiff." : ""),
+                        WorkPrecision.byEvaluations(runs)).first(first));
                 pictures.add(Picture.of(solved.name() + "-time", caption + "the last error.",
                         WorkPrecision.byTime(runs)).first(first));
             }
@@ -85,10 +86,11 @@ final class Experiments {
             return asked.page(title, List.of(Picture.of("stiff-gallery", """
                     Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable run, \
                     and what is left of the energy of the stiff vibration, at most in the last tenth of the run. At \
-                    the curves: the exponent with which evaluations grow, from k = 1000 on. Below: solvers that are \
-                    never stable, or do not reach 1 % with a million steps.""", Panel.of(title,
-                    StiffGallery.charts(sweeps.stream().flatMap(List::stream).toList()))).first(List.of("rk4",
-                    "verlet", "backward-euler", "implicit-midpoint", "radau"))), List.of(StiffGallery.table(sweeps)));
+                    the curves: the exponent with which evaluations grow, from k = 1000 on, if three or more runs \
+                    have a result. Below: solvers that are never stable, or do not reach 1 % with a million steps.""",
+                    Panel.of(title, StiffGallery.charts(sweeps.stream().flatMap(List::stream).toList())))
+                    .first(List.of("rk4", "verlet", "backward-euler", "implicit-midpoint", "radau"))),
+                    List.of(StiffGallery.table(sweeps)));
         };
     }
 

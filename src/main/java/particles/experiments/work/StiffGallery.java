@@ -145,7 +145,7 @@ public final class StiffGallery {
 
     private static String power(List<Cost> costs, ToDoubleFunction<Cost> evaluations) {
         double exponent = exponent(costs, evaluations);
-        return Double.isNaN(exponent) ? "" : "k^" + Digits.few(exponent, 2);
+        return Double.isNaN(exponent) ? "no exponent" : "k^" + Digits.few(exponent, 2);
     }
 
     /** The exponent of the stiffness in a cost, to two decimals: those after that come from whole numbers of steps. */

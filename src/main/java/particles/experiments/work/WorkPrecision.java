@@ -136,7 +136,7 @@ public final class WorkPrecision {
             runs++;
         } while (all < ENOUGH);
         double error = problem.error(source);
-        String why = failure.isEmpty() && !(error < USELESS) ? "the error is " + error : failure;
+        String why = failure.isEmpty() && !(error < USELESS) ? "the error is " + Digits.few(error) : failure;
         return new Run(problem, solver, deltaT, tolerance, WorkProblem.evaluations(source),
                 why.isEmpty() ? error : Double.NaN, all / runs, why);
     }
