@@ -84,9 +84,10 @@ class LabTruthTest extends LabPageTestCase {
         until("number('clock') > 3.5");
         page.click("start");
         until("text('start') === 'Continue'");
-        // rk4's energy error: 5e-7 in 12.6 s
-        assertEquals(1, energyRatio(), 1e-6);
-        assertTrue(value("Number(element('time').max)") >= page.number("clock"));
+        double clock = page.number("clock");            // of four digits
+        // rk4's energy error: 5e-7 in 12.6 s; on a busy machine the run goes on for longer
+        assertEquals(1, energyRatio(), 8e-8 * clock);
+        assertTrue(value("Number(element('time').max)") >= 0.999 * clock);
         page.choose("horizontal", "time (s)");          // and so does the reference
         until("Math.max(...phase.data[1][0]) > 3");
         page.choose("atEnd", "loop");
