@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Particles;
-import particles.law.Scales.Skin;
 import particles.law.Scales;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
-import particles.reactions.ContactSurface.Friction.Law;
 import particles.reactions.ContactSurface.Friction;
+import particles.reactions.ContactSurface.Friction.Law;
 import particles.reactions.NormalForces.Push;
 
 /**

@@ -2,8 +2,8 @@ package particles.reactions;
 
 import java.util.Optional;
 import particles.law.Particles;
-import particles.law.Scales.Skin;
 import particles.law.Scales;
+import particles.law.Scales.Skin;
 import particles.law.Vector3;
 import particles.reactions.ContactSurface.Friction;
 import particles.reactions.Row.Kind;

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import particles.ParticleSystem;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Plane;
@@ -29,8 +29,8 @@ import particles.law.Scales;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface.Friction;
 import particles.reactions.ContactSurface;
+import particles.reactions.ContactSurface.Friction;
 import particles.reactions.RestingContacts;
 
 /** The force derivatives of a particle system against central differences, on random systems. */
