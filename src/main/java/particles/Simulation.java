@@ -212,7 +212,8 @@ public final class Simulation {
             recorded = eventSteps.move(h, end, recordMotion);
         } catch (DESolverException e) {
             double rest = end - system.getTime();       // where the solver failed: after the last event, if any
-            if (rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
+            boolean isOfAll = e.getEntry() < 0;         // not of one number, which a blow-up overflows
+            if (isOfAll && rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
                 divisions++;
                 solver.reset();
                 step(end - rest / 2, 0);
