@@ -143,7 +143,7 @@ class EventStepsTest {
                 return false;
             }
         };
-        assertEquals(0.2, run(contact, () -> new Short(0.03)).getOwnState()[0], 1e-15);
+        assertEquals(0.2, run(contact, () -> new ShortSteps(0.03)).getOwnState()[0], 1e-15);
         double[] ends = {0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2};
         assertArrayEquals(ends, acts.stream().mapToDouble(t -> t).toArray(), 1e-15);
     }
@@ -157,25 +157,25 @@ class EventStepsTest {
                 return true;
             }
         };
-        assertEquals(0.2, run(contact, () -> new Short(0.1 / 63)).getOwnState()[0], 1e-14);
-        assertThrows(SimulationException.class, () -> run(contact, () -> new Short(0.1 / 65)));
+        assertEquals(0.2, run(contact, () -> new ShortSteps(0.1 / 63)).getOwnState()[0], 1e-14);
+        assertThrows(SimulationException.class, () -> run(contact, () -> new ShortSteps(0.1 / 65)));
         assertThrows(SimulationException.class,
-                () -> run(new Sequence(n -> Double.POSITIVE_INFINITY), () -> new Short(0.09)));
+                () -> run(new Sequence(n -> Double.POSITIVE_INFINITY), () -> new ShortSteps(0.09)));
     }
 
     /** Euler's method, but it fails at steps longer than it likes. */
-    private static final class Short extends DESolver {
+    private static final class ShortSteps extends DESolver {
         private final EulerSolver euler = new EulerSolver();
         private final double longest;
 
-        Short(double longest) {
+        ShortSteps(double longest) {
             this.longest = longest;
         }
 
         @Override
         public void stepState(DEStateSource source, double deltaT) {
             if (deltaT > longest) {
-                throw new DESolverException(Short.class, source.getTime(), deltaT, -1, "too long", "");
+                throw new DESolverException(ShortSteps.class, source.getTime(), deltaT, -1, "too long", "");
             }
             euler.stepState(source, deltaT);
         }
