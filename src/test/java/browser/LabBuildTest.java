@@ -120,6 +120,11 @@ class LabBuildTest extends LabPageTestCase {
             page.await("the text before", () -> !scene().equals(before));
         }
         untilBuilt(text);
+        new Actions(page.driver()).keyDown(Keys.CONTROL).keyDown(Keys.SHIFT).sendKeys("z").keyUp(Keys.SHIFT)
+                .keyUp(Keys.CONTROL).perform();
+        untilBuilt(fixed);                                      // made again
+        page.click("undo");
+        untilBuilt(text);
         page.click("undo");
         assertEquals(text, scene());
     }

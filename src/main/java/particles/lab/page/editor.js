@@ -58,14 +58,14 @@ export class Editor {
     }));
   }
 
-  /** Another text in place of all, as one change; undo() takes the last change back. */
+  /** Another text in place of all, as one change; undo() takes the last change back, undo(true) makes it again. */
   replace(text) {
     this.code.replaceRange(text, {line: 0, ch: 0}, {line: this.code.lineCount(), ch: 0}, 'build');
     this.settle();
   }
 
-  undo() {
-    this.code.undo();
+  undo(redo) {
+    redo ? this.code.redo() : this.code.undo();
     this.settle();
   }
 

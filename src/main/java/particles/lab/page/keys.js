@@ -11,7 +11,7 @@ export function listen(actions) {
         || event.target.closest?.(FIELDS) || TAKERS[key] && event.target.closest?.(TAKERS[key])) {
       return;
     }
-    if (actions[key]() !== false) {
+    if (actions[key](event) !== false) {
       event.preventDefault();
     }
   });

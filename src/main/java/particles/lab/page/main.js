@@ -371,7 +371,7 @@ $('copyLink').onclick = () => {
   address.copy();
 };
 $('undo').onclick = () => editor.undo();
-listen({'^z': () => editor.undo(), ' ': () => player.startOrPause(),
+listen({'^z': event => editor.undo(event.shiftKey), ' ': () => player.startOrPause(),
   ArrowRight: () => player.step(), ArrowLeft: () => player.stepBack(), f: fullScreen, l: () => lecture.toggle(),
   PageDown: () => lecture.on && lecture.turn(1), PageUp: () => lecture.on && lecture.turn(-1)});
 $('arrows').onchange = () => view.setArrows($('arrows').checked);
