@@ -29,7 +29,7 @@ class EffectCollectionTest {
 
     private static void hold(List<EffectSpecimen> all, BiPredicate<EffectSpecimen, List<String>> expected) {
         List<String> others = all.stream().filter(specimen -> !expected.test(specimen, wrong(specimen))).map(specimen ->
-                specimen.sentence() + " (" + specimen.about() + "): " + wrong(specimen)).toList();
+                specimen.about() + ": " + wrong(specimen)).toList();
         assertTrue(others.isEmpty(), others.size() + " of " + all.size() + ":\n" + String.join("\n", others));
     }
 
@@ -47,7 +47,7 @@ class EffectCollectionTest {
     /** Symmetries are claims too, and say nothing of the power. */
     @Test
     void aLawThatClaimsOnlyASymmetryGetsANote() {
-        assertStarts(EffectCheck.check(p -> Law.law("Pull", Trait.TRANSLATION_INVARIANT).force(Law.each(p, (s, f, x, m)
+        assertStarts(EffectCheck.check(p -> Law.law(Trait.TRANSLATION_INVARIANT).force(Law.each(p, (s, f, x, m)
                 -> f[x + 3] += s[0] - s[x]))).toString(), "[style: it claims no account of its energy");
     }
 
@@ -60,6 +60,6 @@ class EffectCollectionTest {
                 WrongEffects.gravity(p, -1, -1)));
         // -0.4 v, of v = (0.18974, -0.27337, -0.15615)
         assertEquals(at + "(0, 0, 0) N" + moving + "(-0.07590, 0.1093, 0.06246) N.", ForceDirection.of(p ->
-                WrongEffects.drag(p, 1, 1)));
+                WrongEffects.drag(p, 1)));
     }
 }

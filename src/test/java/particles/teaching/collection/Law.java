@@ -3,18 +3,18 @@ package particles.teaching.collection;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.IntToDoubleFunction;
 import particles.law.Effect;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /** A force law of the collection, put together from what students write into the methods of one. */
 final class Law implements Effect {
-    private final String name;
     private final Set<Trait> traits = EnumSet.noneOf(Trait.class);
     private boolean velocities;
     private Force force = (s, t, f) -> { };
     private Amount energy = (s, t) -> 0;
     private Amount heat = (s, t) -> 0;
-    private Amount driven = (s, t) -> 0;
 
     /** The body of addForces. */
     interface Force {
@@ -41,13 +41,11 @@ final class Law implements Effect {
         double of(double r, double mm);
     }
 
-    private Law(String name, Trait... traits) {
-        this.name = name;
-        this.traits.addAll(List.of(traits));
+    private Law() {
     }
 
-    static Law law(String name, Trait... traits) {
-        return new Law(name, traits);
+    static Law law(Trait... traits) {
+        return new Law().claiming(traits);
     }
 
     Law force(Force force) {
@@ -62,11 +60,6 @@ final class Law implements Effect {
 
     Law heat(Amount heat) {
         this.heat = heat;
-        return this;
-    }
-
-    Law driven(Amount driven) {
-        this.driven = driven;
         return this;
     }
 
@@ -89,6 +82,18 @@ final class Law implements Effect {
         return this;
     }
 
+    /** Multiplies the force on each particle by a factor of its number. */
+    Law times(IntToDoubleFunction factor) {
+        Force all = force;
+        return force((s, t, f) -> {
+            double[] sum = new double[f.length];
+            all.add(s, t, sum);
+            for (int k = 0; k < f.length; k++) {
+                f[k] += factor.applyAsDouble(k / 6) * sum[k];
+            }
+        });
+    }
+
     static Force each(Particles p, One one) {
         return (s, t, f) -> {
             for (int i = 0; i < p.count(); i++) {
@@ -107,9 +112,8 @@ final class Law implements Effect {
         };
     }
 
-    static double distance(double[] s, int x, int y) {
-        return Math.sqrt((s[x] - s[y]) * (s[x] - s[y]) + (s[x + 1] - s[y + 1]) * (s[x + 1] - s[y + 1])
-                + (s[x + 2] - s[y + 2]) * (s[x + 2] - s[y + 2]));
+    private static double distance(double[] s, int i, int j) {
+        return Vector3.at(s, 6 * i).minus(Vector3.at(s, 6 * j)).length();
     }
 
     /** Each pair i &lt; j once, with the force on i along r = x_j - x_i, and that on j times a factor. */
@@ -117,28 +121,11 @@ final class Law implements Effect {
         return (s, t, f) -> {
             for (int i = 0; i < p.count(); i++) {
                 for (int j = i + 1; j < p.count(); j++) {
-                    double r = distance(s, 6 * i, 6 * j);
+                    double r = distance(s, i, j);
                     double size = along.of(r, p.mass(i) * p.mass(j)) / r;
                     for (int c = 0; c < 3; c++) {
                         f[6 * i + 3 + c] += size * (s[6 * j + c] - s[6 * i + c]);
                         f[6 * j + 3 + c] += partner * size * (s[6 * j + c] - s[6 * i + c]);
-                    }
-                }
-            }
-        };
-    }
-
-    /** Each particle asks all others, itself too if it likes, and pushes only itself. */
-    static Force own(Particles p, int first, boolean itself, Pair along) {
-        return (s, t, f) -> {
-            for (int i = 0; i < p.count(); i++) {
-                for (int j = first < 0 ? i + 1 : first; j < p.count(); j++) {
-                    if (i != j || itself) {
-                        double r = distance(s, 6 * i, 6 * j);
-                        double size = along.of(r, p.mass(i) * p.mass(j)) / r;
-                        for (int c = 0; c < 3; c++) {
-                            f[6 * i + 3 + c] += size * (s[6 * j + c] - s[6 * i + c]);
-                        }
                     }
                 }
             }
@@ -150,7 +137,7 @@ final class Law implements Effect {
             double sum = 0;
             for (int i = 0; i < p.count(); i++) {
                 for (int j = i + 1; j < p.count(); j++) {
-                    sum += energy.of(distance(s, 6 * i, 6 * j), p.mass(i) * p.mass(j));
+                    sum += energy.of(distance(s, i, j), p.mass(i) * p.mass(j));
                 }
             }
             return sum;
@@ -159,7 +146,7 @@ final class Law implements Effect {
 
     /** The sum of the squares of three entries from k on. */
     static double square(double[] s, int k) {
-        return s[k] * s[k] + s[k + 1] * s[k + 1] + s[k + 2] * s[k + 2];
+        return Vector3.at(s, k).dot(Vector3.at(s, k));
     }
 
     /** Adds a factor times three entries from k on to the force of the particle at x. */
@@ -171,7 +158,7 @@ final class Law implements Effect {
 
     @Override
     public String getName() {
-        return name;
+        return "law";
     }
 
     @Override
@@ -197,10 +184,5 @@ final class Law implements Effect {
     @Override
     public double getDissipatedPower(double[] state, double time) {
         return heat.of(state, time);
-    }
-
-    @Override
-    public double getDrivenPower(double[] state, double time) {
-        return driven.of(state, time);
     }
 }
