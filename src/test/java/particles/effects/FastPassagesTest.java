@@ -147,7 +147,7 @@ class FastPassagesTest {
                     effects: []
                     rules: [shake: {particle: hook, amplitude: [0, %s, 0], period: %s}]
                     """, k, amplitude, period);
-            assertEquals(x, run.at(7) + 1, 1e-4 * amplitude * k / (w * q), solver);
+            assertEquals(x, run.at(7) + 1, 4e-5 * amplitude * k / (w * q), solver);
         }
     }
 
@@ -174,7 +174,7 @@ class FastPassagesTest {
                     particles: [{id: b, position: [0, 0, 0]}]
                     effects: [wind: {mean: [0, 0, 0], gust: [%s, 0, 0], period: %s}, drag: {coefficient: %s}]
                     """, gust, period, c);
-            assertEquals(v, run.at(3), 3e-4 * c * gust / w, solver);
+            assertEquals(v, run.at(3), 1.6e-4 * c * gust / w, solver);
         }
     }
 }
