@@ -29,17 +29,6 @@ class ClampedImpactsTest {
                 """.formatted(restitution, restSpeed));
     }
 
-    /** A particle on an incline through the origin, with Coulomb friction. */
-    private static ShortRun incline(int degrees, String friction, String velocity, double deltaT, double duration) {
-        double a = Math.toRadians(degrees);
-        return run(deltaT, duration, """
-                particles: [{id: p, position: [0, 0, 0], velocity: %s}]
-                rules:
-                  - plane: {normal: [%s, %s, 0], restitution: 0, restSpeed: 1e-3,
-                            friction: {law: coulomb, threshold: 0, %s}}
-                """.formatted(velocity, -Math.sin(a), Math.cos(a), friction));
-    }
-
     /**
      * Dropped from 1 m, it rises to r<sup>2n</sup> m after n bounces. Each bounce is late by less than a step, so the
      * n-th by less than n steps. Bounces end when a step cannot resolve them, r<sup>n</sup> v &lt;= g deltaT, in rest.
@@ -135,8 +124,6 @@ class ClampedImpactsTest {
     @Test
     void coulombFrictionStops() {
         double end = 2 / (0.3 * G);
-        ShortRun before = incline(0, "coefficient: 0.3, static: 0.4", "[0, 0, 2]", 0.001, end - 0.01);
-        assertEquals(0.3 * G * 0.01, before.at(5), 1e-10, "not at rest before its time");
         ShortRun run = new ShortRun("rk4 clamp 0.001 1", """
                 particles: [{id: p, position: [0, 0, 0], velocity: [1.2, 0, 1.6]}]
                 rules: [ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.4, threshold: 0}}]
@@ -154,22 +141,13 @@ class ClampedImpactsTest {
         assertEquals(1000, run.getSimulation().getSteps());
     }
 
-    /** tan 20 = 0.364: held by 0.4, not by 0.3; then it slides with g (sin a - mu cos a). */
-    @Test
-    void aSlopeHoldsAParticleIfFrictionExceedsItsTangent() {
-        ShortRun held = incline(20, "coefficient: 0.3, static: 0.4", "[0, 0, 0]", 0.01, 10);
-        assertEquals(0, Math.abs(held.at(0)) + Math.abs(held.at(1)), 1e-15);
-        ShortRun sliding = incline(20, "coefficient: 0.2, static: 0.3", "[0, 0, 0]", 0.01, 1);
-        double a = Math.toRadians(20);
-        double acceleration = G * (Math.sin(a) - 0.2 * Math.cos(a));
-        assertEquals(-acceleration * Math.cos(a), sliding.at(3), 1e-10);
-        assertEquals(-acceleration / 2 * Math.sin(a), sliding.at(1), 1e-10);
-    }
-
     /** Pushed up a slope too steep to hold it, a particle reverses and slides down. */
     @Test
     void aParticleSlidesUpASteepSlopeAndDownAgain() {
-        ShortRun run = incline(45, "coefficient: 0.2", "[1, 1, 0]", 0.001, 1);
+        ShortRun run = run(0.001, 1, """
+                particles: [{id: p, position: [0, 0, 0], velocity: [1, 1, 0]}]
+                rules: [plane: {normal: [-1, 1, 0], restitution: 0, friction: {law: coulomb, coefficient: 0.2}}]
+                """);
         double turn = 2 / (G * 1.2);
         assertEquals(-G * 0.4 * (1 - turn), run.at(3), 5e-3, "apart from the step of the reversal");
     }
