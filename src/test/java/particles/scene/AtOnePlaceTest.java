@@ -5,13 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import particles.SimulationException;
 import particles.spec.messages.InvalidInputException;
 
@@ -143,19 +139,6 @@ class AtOnePlaceTest {
         SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
         assertTrue(end.getMessage().startsWith("'e[0]' is at the centre of penaltySphere"), end.getMessage());
         assertEquals(1 / rate, end.getTime(), 1e-12);
-    }
-
-    /** x_b = v t/2 - v sin(w t)/(2 w) with w^2 = 2 k/m. The order shows: each method's own error after 28 radians. */
-    @ParameterizedTest
-    @MethodSource("deSolvers.catalog.SolverCatalog#all")
-    void aSpringOfRestLengthZeroRuns(SolverInfo solver) {
-        Scene scene = TestScenes.build(spring(solver.name(), ", restLength: 0"));
-        scene.simulation().run();
-        double w = Math.sqrt(200);
-        double x = scene.system().getOwnState()[6];
-        boolean damps = List.of("backward-euler", "linearised-euler").contains(solver.name());
-        double bound = solver.name().equals("euler") ? 0.5 : damps ? 0.05 : solver.order() <= 2 ? 5e-3 : 3e-5;
-        assertEquals(1 - Math.sin(2 * w) / (2 * w), x, bound, solver.name());
     }
 
     @Test
