@@ -395,22 +395,6 @@ class CollisionsTest {
         assertEquals(0, run.getSimulation().getViolation().part(), 3e-5);   // measured: 2e-12, rough 3e-6
     }
 
-    /** A ball between a wall and a ball that glides towards it: no force, however large, keeps it out of both. */
-    @Test
-    void aJamEndsTheRun() {
-        SimulationException e = assertThrows(SimulationException.class, () -> ShortRun.of("rk4 exact 0.01 1", """
-                particles:
-                  - {id: a, position: [0.1, 0, 0]}
-                  - {id: hand, position: [-0.5, 0, 0], fixed: true}
-                rules:
-                  - plane: {normal: [-1, 0, 0], point: [0.2, 0, 0]}
-                  - glide: {particle: hand, to: [0.5, 0, 0], duration: 1}
-                  - collisions: {radius: 0.1, restitution: 0}
-                effects: []
-                """));
-        assertEquals(0.4, e.getTime(), 0.2);            // the hand is there at about 0.4 s
-    }
-
     /** Contacts that cannot all have their exact distance are no matter of the projection onto rods. */
     @Test
     void projectionKeepsRodsWherePackedBallsAreOffByRoundOff() {

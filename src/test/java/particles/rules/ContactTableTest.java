@@ -168,26 +168,14 @@ class ContactTableTest {
         }
     }
 
-    /**
-     * A heavy ball rests on a light one, and stays there. Measured: 2e-15 m, 5e-13 m/s and an error of 6e-9 J, of an
-     * energy of 3e7 J. What is lost in round-off is refused.
-     */
+    /** A ball on one that is 1e16 times lighter is lost in round-off; RightOrRefusedTest has those that rest. */
     @ParameterizedTest
     @MethodSource("exactWays")
-    void aHeavyBallRestsOnALightOne(Way way) {
-        String stack = """
-                particles: [{id: a, position: [0, 0.1, 0], mass: %s}, {id: b, position: [0, 0.3, 0], mass: %s}]
+    void aBallFarTooHeavyForTheOneBelowIsRefused(Way way) {
+        SimulationException end = assertThrows(SimulationException.class, () -> way.run(0.01, 1, """
+                particles: [{id: a, position: [0, 0.1, 0], mass: 1e-8}, {id: b, position: [0, 0.3, 0], mass: 1e8}]
                 rules: [collisions: {radius: 0.1}, ground: {}]
-                """;
-        for (double factor : new double[] {1e3, 1e5, 1e6}) {
-            ShortRun run = way.run(0.01, 1, stack, 1 / factor, factor);
-            for (int i = 0; i < 2; i++) {
-                assertEquals(0.1 + 0.2 * i, run.at(6 * i + 1), 1e-14, "by " + factor);
-                assertEquals(0, run.at(6 * i + 4), 1e-11, "by " + factor);
-            }
-            assertEquals(0, run.getNumericalError(), 1e-15 * factor * G);
-        }
-        SimulationException end = assertThrows(SimulationException.class, () -> way.run(0.01, 1, stack, 1e-8, 1e8));
+                """));
         assertTrue(end.getMessage().contains("masses that differ by a factor of more than 1e12"), end.getMessage());
     }
 
