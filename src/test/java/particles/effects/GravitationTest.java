@@ -3,17 +3,14 @@ package particles.effects;
 import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.adaptive.DormandPrinceSolver;
-import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.engine.ParallelForces;
 import particles.law.Vector3;
 
 /** Gravitation between particles, against Kepler's laws and a periodic orbit of three. */
@@ -118,23 +115,5 @@ class GravitationTest {
         double[] dSdt = new double[18];
         system.getStateDerivative(dSdt);
         assertArrayEquals(new double[] {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -6 * 2 / 4.0, 0, 0}, dSdt);
-    }
-
-    @Test
-    void severalThreadsGiveTheSameBits() {
-        Random random = new Random(8);
-        int n = 150;
-        double[] masses = random.doubles(n, 0.5, 2).toArray();
-        Vector3[] places = random.doubles(2 * n).mapToObj(x -> new Vector3(x, random.nextDouble(),
-                random.nextDouble())).toArray(Vector3[]::new);
-        ParticleSystem one = attracted(1, 0.01, masses, places);
-        ParticleSystem several = attracted(1, 0.01, masses, places);
-        ParallelForces.use(several.getForceSum(), 2, 0);
-        double[] expected = new double[6 * n];
-        double[] found = new double[6 * n];
-        one.getStateDerivative(expected);
-        several.getStateDerivative(found);
-        assertArrayEquals(expected, found);
-        assertTrue(expected[3] != 0);
     }
 }

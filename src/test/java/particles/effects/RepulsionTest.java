@@ -5,7 +5,6 @@ import static deSolvers.problems.Bounds.assertBelow;
 import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.addGravity;
 import static particles.Systems.entry;
@@ -14,7 +13,6 @@ import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.Steps;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,7 +20,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.engine.ParallelForces;
 import particles.law.Plane;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
@@ -258,22 +255,6 @@ class RepulsionTest {
         }
         assertTrue(pairs > 1);
         assertEquals(pairs, system.getEffects().get(0).getPotentialEnergy(state, 0), 1e-12 * pairs);
-    }
-
-    @Tag("slow")            // as ThreadsTest is
-    @ParameterizedTest
-    @ValueSource(ints = {2, 3, 4})
-    void anyNumberOfThreadsGivesTheBitsOfOne(int threads) {
-        double[][] ends = new double[2][];
-        for (int k = 0; k < 2; k++) {
-            ParticleSystem system = cloud(700);
-            ParallelForces.use(system.getForceSum(), k == 0 ? 1 : threads, 1);
-            Steps.make(30, new RK4Solver(), system, 0.01);
-            ParallelForces.use(system.getForceSum(), 1);
-            ends[k] = system.getStateArray().clone();
-        }
-        assertArrayEquals(ends[0], ends[1]);
-        assertNotEquals(cloud(700).getStateArray()[13], ends[0][13], "it moved");
     }
 
     /** A ball keeps its own radius when others die, and a new one has that of all others. */
