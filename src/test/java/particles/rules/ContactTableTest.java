@@ -53,8 +53,8 @@ class ContactTableTest {
             """;
 
     /**
-     * A block stops after v&sup2;/(2 mu g), straight on, in four steps or within one. Measured: 2e-6 m at most with methods of order
-     * 2 and more (the threshold's 1e-5 m with exact impacts), 0.074 m with those of order 1.
+     * A block stops after v&sup2;/(2 mu g), straight on, in four steps or within one. Measured: 2e-6 m at most with
+     * methods of order 2 and more (the threshold's 1e-5 m with exact impacts), 0.074 m with those of order 1.
      */
     @ParameterizedTest
     @MethodSource("ways")
@@ -64,7 +64,8 @@ class ContactTableTest {
             ShortRun run = way.run(0.1, 1, BLOCK, 1.2, 0.9, mu);
             assertEquals(0, Math.hypot(run.at(3), run.at(5)));
             assertEquals(0.75 * run.at(0), run.at(2), 1e-9);
-            assertEquals(expected, Math.hypot(run.at(0), run.at(2)), way.solver.order() == 1 ? 1.5 * 0.1 / 2 : 2e-5, way + ", mu = " + mu);
+            assertEquals(expected, Math.hypot(run.at(0), run.at(2)), way.solver.order() == 1
+                    ? 1.5 * 0.1 / 2 : 2e-5, way + ", mu = " + mu);
         }
     }
 
