@@ -58,16 +58,6 @@ class ActiveSetMethodTest {
         }
     }
 
-    @Test
-    void aGrooveSharesTheLoad() {
-        Vector3[] groove = {new Vector3(1, 1, 0).normalized(), new Vector3(-1, 1, 0).normalized()};
-        double[] push = pushes(groove, new Vector3(0, -10, 0));
-        assertEquals(10 / Math.sqrt(2), push[0], 1e-13);
-        assertEquals(10 / Math.sqrt(2), push[1], 1e-13);
-        push = pushes(groove, new Vector3(0, 10, 0));
-        assertEquals(0, push[0] + push[1], "no force on a particle that is pulled out");
-    }
-
     /** A rod that has to lengthen against a wall: elastic contacts would yield to 1e6 times the force. */
     @Test
     void aJamHasNoForces() {

@@ -122,21 +122,6 @@ class RodsTest {
         assertEquals(before, system.getEnergy(system.getOwnState(), 0), 2e-5);
     }
 
-    /** Two rods, rk4: the error after one second falls by 2^4 as the step is halved. Measured: 3.96. */
-    @Test
-    void rk4KeepsItsOrderWithRods() {
-        double[] exact = afterOneSecond(3200);
-        double coarse = difference(afterOneSecond(50), exact);
-        double fine = difference(afterOneSecond(200), exact);
-        assertEquals(4, Math.log(coarse / fine) / Math.log(4), 0.1);
-    }
-
-    private static double[] afterOneSecond(int steps) {
-        ParticleSystem system = chain(2, 60, 5);
-        worstLength(system, new RK4Solver(), 1.0 / steps, steps);
-        return system.getStateArray().clone();
-    }
-
     private static double difference(double[] a, double[] b) {
         double largest = 0;
         for (int k = 0; k < a.length; k++) {
