@@ -48,10 +48,6 @@ class AtOnePlaceTest {
             "position: [0, 0, 0], fixed: true; position: [0, 0, 0], velocity: [0, 5, 0]",
             "position: [1e-39, 0, 0]; position: [1e-39, 0, 0]",
             "position: [0.1, 0.2, 0.3], mass: 1e-6; position: [0.1, 0.2, 0.3], mass: 1e6",
-            "position: [0, 0, 7]; position: [0, 0, 7], radius: 0.01",
-            "position: [-0.0, -0.0, -0.0]; position: [0, 0, 0]",
-            "position: [1e6, 0, 0], velocity: [1, 2, 3]; position: [1e6, 0, 0], velocity: [1, 2, 3]",
-            "position: [3, 2, 1], fixed: true; position: [3, 2, 1], velocity: [0, 0, 0]",
     })
     void softBallsWithOneCentreAreRefused(String a, String b) {
         assertTrue(refusal(soft(a, b)).contains("x.yaml:9:11: 'a' and 'b' are at the same place; soft balls there"

@@ -104,10 +104,6 @@ class BrokenScenesTest {
             x.yaml:9:23: particle 'bob' is free; only a fixed particle can follow a given motion
 
             rules:
-              - glide: {particle: tim, to: [1, 0, 0], duration: 1}
-            x.yaml:9:23: unknown particle 'tim'; known: bob
-
-            rules:
               - tear: {strain: 0.5}
             x.yaml:9:5: 'tear' acts on springs, and the scene has none
 
@@ -141,10 +137,6 @@ class BrokenScenesTest {
             x.yaml:8:10: 'id' is the text 'bU+202EoU+200Bb'; it has to be a name of at most 60 characters without \
             spaces, brackets, commas, quotes and invisible characters
 
-              - {id: "bob\\n", position: [1, 2, 3]}
-            x.yaml:8:10: 'id' is the text 'bob '; it has to be a name of at most 60 characters without spaces, \
-            brackets, commas, quotes and invisible characters
-
               - {id: thisnameisfartoolongforanybodytotypeandevenlongerthanthatandmore, position: [1, 2, 3]}
             x.yaml:8:10: 'id' is the text 'thisnameisfartoolongforanybodytotypea...'; it has to be a name of at most \
             60 characters without spaces, brackets, commas, quotes and invisible characters
@@ -172,10 +164,6 @@ class BrokenScenesTest {
               - {from: bob, to: tom, stiffness: 1}
             x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them would have no direction, \
             unless it has restLength: 0
-
-            rods:
-              - {from: bob, to: bob}
-            x.yaml:9:21: a rod from 'bob' to itself; its ends must be two different particles
 
               - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}
             rods:
@@ -275,9 +263,6 @@ class BrokenScenesTest {
             look: {particlesAs: glow, ageColours: []}
             x.yaml:8:39: 'ageColours' has 0 colours; allowed are 1 to 16
 
-            look: {trail: -1}
-            x.yaml:8:15: 'trail' is -1; it has to be a number from 0 up (s)
-
             look: {trail: 1.2.3, strainRange: 1/0, velocityArrows: 1/2/3}
             x.yaml:8:15: 'trail' is the text '1.2.3'; it has to be a number from 0 up (s)
             x.yaml:8:35: 'strainRange' is the text '1/0'; it has to be a number over 0
@@ -321,20 +306,15 @@ class BrokenScenesTest {
             x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or put \
             quotes around a text that begins with & or *
 
-            camera: {position: 1, 0, 0}
+            camera: {position: 1, 0}
             x.yaml:8:9: the camera needs 'target': three numbers [x, y, z] (m)
             x.yaml:8:20: 'position' is 1; it has to be three numbers [x, y, z] (m)
             x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal point, not a comma, \
             and several of them stand in [ ]
-            x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal point, not a comma, \
-            and several of them stand in [ ]
 
             ? [a]
             : 1
-            x.yaml:8:3: a key of the scene is [a]; it has to be one of 'title', 'teaches', 'solver', 'deltaT', \
-            'duration', 'particles', 'shapes', 'springs', 'rods', 'lines', 'faces', 'wires', 'constraints', \
-            'effects', 'rules', \
-            'impact', 'camera', 'look', 'output', 'blowUpFactor', 'threads', 'files'
+            x.yaml:8:3: a key of the scene is [a]; it has to be one of {quoted}
 
             ---
             title: second
@@ -352,10 +332,6 @@ class BrokenScenesTest {
             wires:
               - circle: {bead: bob, centre: [0, 1, 0], radius: 1}
             x.yaml:9:20: 'bob' begins far off its wire; place it on the wire
-
-            wires:
-              - circle: {bead: bob, centre: [3, -3, 0], radius: 1}
-            x.yaml:9:20: 'bob' begins about 4 m off its wire; place it on the wire
 
             rules:
               - sphere: {centre: [0, 0, 0], radius: 0.75, hollow: true}
@@ -508,9 +484,10 @@ class BrokenScenesTest {
 
     private static String withNames(String message) {
         List<String> solvers = SolverCatalog.names();
-        return message.replace("{keys}", """
+        String keys = """
                 title, teaches, solver, deltaT, duration, particles, shapes, springs, rods, lines, faces, wires, \
-                constraints, effects, rules, impact, camera, look, output, blowUpFactor, threads, files""")
+                constraints, effects, rules, impact, camera, look, output, blowUpFactor, threads, files""";
+        return message.replace("{keys}", keys).replace("{quoted}", "'" + keys.replace(", ", "', '") + "'")
                 .replace("{effects}", String.join(", ", EffectCatalog.ALL.stream().map(EffectKind::getName).toList()))
                 .replace("{adaptive}", String.join(", ", solvers.stream().filter(name ->
                         SolverCatalog.info(name).adaptive()).toList()))

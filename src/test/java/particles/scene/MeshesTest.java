@@ -159,77 +159,34 @@ class MeshesTest {
                 read(mesh("mass: 1"), CORNERS + "v 0 0 0\nv 1 1 1\nf 1 2 3\nf 2 3 4\nl 5 6 9 5\n").remarks());
     }
 
-    /** Wrong files, and the messages. */
-    private static final String BROKEN = """
-            solid cube
-
-            m.obj: no line begins with 'v', so there are no vertices; is this a Wavefront OBJ file?
-            --
-            v 0 0
-            m.obj:1:1: 'v 0 0' is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'
-            --
-            v 0 1,5 0
-            m.obj:1:1: 'v 0 1,5 0' is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'
-            --
-            v 0 0 0
-            v nan 0 0
-            m.obj:2:1: 'v nan 0 0' is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'
-            --
-            v 0 0 0
-            v 1 0 0
-            v 1 1 0
-            f 1 2 4
-            m.obj:4:1: 'f 1 2 4' names a vertex that is not there; the file has 1 to 3, and -1 is the last one before
-            --
-            v 0 0 0
-            v 1 0 0
-            f 0 1 2
-            m.obj:3:1: 'f 0 1 2' names a vertex that is not there; the file has 1 to 2, and -1 is the last one before
-            --
-            v 0 0 0
-            l -1 -2
-            v 1 0 0
-            m.obj:2:1: 'l -1 -2' names a vertex that is not there; the file has 1 to 2, and -1 is the last one before
-            --
-            v 0 0 0
-            v 1 0 0
-            f 1 2 x
-            m.obj:3:1: 'f 1 2 x' names a vertex that is not there; the file has 1 to 2, and -1 is the last one before
-            --
-            v 0 0 0
-            v 1 0 0
-            f 1 2d 2
-            m.obj:3:1: 'f 1 2d 2' names a vertex that is not there; the file has 1 to 2, and -1 is the last one before
-            --
-            v 0 1f 0
-            m.obj:1:1: 'v 0 1f 0' is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'
-            --
-            v 0 0 0
-            v 1 0 0
-            f 1 2
-            m.obj:3:1: 'f 1 2' needs at least 3 corners, all different
-            --
-            v 0 0 0
-            v 1 0 0
-            f 1/1 2/2 1/3
-            m.obj:3:1: 'f 1/1 2/2 1/3' needs at least 3 corners, all different
-            --
-            v 0 0 0
-            l 1
-            m.obj:2:1: 'l 1' needs at least 2 corners, all different
-            """;
-
-    static Stream<Arguments> broken() {
-        return Stream.of(BROKEN.split("--\n")).map(part -> {
-            List<String> lines = part.lines().toList();
-            return Arguments.of(String.join("\n", lines.subList(0, lines.size() - 1)), lines.get(lines.size() - 1));
-        });
+    private static void assertRefused(String line, String message) {
+        assertEquals("m.obj:4:1: '" + line + "' " + message, message("mass: 1",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\n" + line + "\nv 5 5 5\n"));
     }
 
     @ParameterizedTest
-    @MethodSource("broken")
-    void everyMistakeInAFileIsReportedWithItsLine(String obj, String message) {
-        assertEquals(message, assertThrows(InvalidInputException.class, () -> build("mass: 1", obj)).getMessage());
+    @ValueSource(strings = {"v 0 0", "v 0 1,5 0", "v nan 0 0", "v 0 1f 0"})
+    void aVertexHasThreeNumbers(String line) {
+        assertRefused(line, "is not a vertex; it needs three coordinates, such as 'v 0 0.5 -1'");
+    }
+
+    /** Positive numbers are of all the file's vertices, negative ones of those before the line. */
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2 5", "f 0 1 2", "l -1 -4", "f 1 2 x", "f 1 2d 2"})
+    void aFaceOrLineNamesVerticesThatAreThere(String line) {
+        assertRefused(line, "names a vertex that is not there; the file has 1 to 4, and -1 is the last one before");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2", "f 1/1 2/2 1/3", "l 1"})
+    void aFaceOrLineHasItsCorners(String line) {
+        assertRefused(line, "needs at least " + (line.startsWith("f") ? 3 : 2) + " corners, all different");
+    }
+
+    @Test
+    void aFileOfAnotherKindIsNotTakenForAMesh() {
+        assertEquals("m.obj: no line begins with 'v', so there are no vertices; is this a Wavefront OBJ file?",
+                message("mass: 1", "solid cube\n"));
     }
 
     @Test
