@@ -1,5 +1,7 @@
 package particles;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.adaptive.DormandPrinceSolver;
@@ -103,6 +105,12 @@ public final class Systems {
                 return act.test(system);
             }
         };
+    }
+
+    /** Requires that every fixed-step solver has its order, as {@link #order} measures it. */
+    public static void assertOrders(Supplier<ParticleSystem> start, double duration, int steps, double within) {
+        SolverCatalog.all().stream().filter(solver -> !solver.adaptive()).forEach(solver -> assertEquals(
+                solver.order(), order(start, solver.name(), duration, steps), within, solver.name()));
     }
 
     /**
