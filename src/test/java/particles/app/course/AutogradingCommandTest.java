@@ -22,9 +22,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.spec.JsonText;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.NumericExercise;
 
 /** The files for GitHub Classroom and for Moodle's VPL run, and say what those systems read. */
 @Tag("slow")
@@ -49,8 +46,7 @@ class AutogradingCommandTest {
         OtherSystems.assumeBash();
         Screen.of(ExitCode.DONE, List.of(new AutogradingCommand()), OptionStyle.GRADLE, "autograding", "--out="
                 + folder.resolve("made"));
-        NumericExercise second = (NumericExercise) Exercises.ALL.get(1);
-        write("answers.yaml", "3: 1\n2: " + second.worked(new Draw("ann", 2)).answer() + "\n");
+        write("answers.yaml", "3: 1\n" + StudentWork.answer("ann"));
         write("assignment.yaml", "exercises: {2: 3, 3: 4}\nsolvers: {BadSolver: heun}\n");
         for (String at : List.of("BadSolver.java", "src/main/java/exercises/BadSolver.java")) {
             write(at, """

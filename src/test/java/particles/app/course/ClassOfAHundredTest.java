@@ -35,33 +35,13 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.output.files.OutputFolder;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.NumericExercise;
 
 /** A class of a hundred as Moodle and GitHub Classroom lay it out, with real names, files and mistakes of packing. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)         // it is marked once
 @Tag("slow")
 class ClassOfAHundredTest {
     private static final int STUDENTS = 100;
-    private static final String EULER = """
-            package exercises;
-
-            public class MySolver extends deSolvers.DESolver {
-                @Override
-                public void stepState(deSolvers.DEStateSource source, double deltaT) {
-                    double[] state = new double[source.getStateSize()];
-                    double[] dSdt = new double[source.getStateSize()];
-                    source.getState(state);
-                    source.getStateDerivative(dSdt);
-                    for (int i = 0; i < state.length; i++) {
-                        state[i] += deltaT * dSdt[i];
-                    }
-                    source.setState(state);
-                    source.incTime(deltaT);
-                }
-            }
-            """;
+    private static final String EULER = StudentWork.euler();
 
     @TempDir
     private static Path folder;
@@ -81,8 +61,7 @@ class ClassOfAHundredTest {
     }
 
     private static String answers(int student) {
-        NumericExercise second = (NumericExercise) Exercises.ALL.get(1);
-        return "2: " + second.worked(new Draw("s" + student, 2)).answer() + "\n";
+        return StudentWork.answer("s" + student);
     }
 
     private static byte[] utf8(String text) {

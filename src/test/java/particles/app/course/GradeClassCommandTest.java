@@ -2,11 +2,10 @@ package particles.app.course;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.app.course.StudentWork.answer;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -15,40 +14,18 @@ import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.OtherSystems;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.NumericExercise;
 
 /** A class is marked as each student is alone, and one bad hand-in spoils only itself. */
 class GradeClassCommandTest {
-    private static final String EULER = """
-            package exercises;
-
-            public class MySolver extends deSolvers.DESolver {
-                @Override
-                public void stepState(deSolvers.DEStateSource source, double deltaT) {
-                    double[] state = new double[source.getStateSize()];
-                    double[] dSdt = new double[source.getStateSize()];
-                    source.getState(state);
-                    source.getStateDerivative(dSdt);
-                    for (int i = 0; i < state.length; i++) {
-                        state[i] += deltaT * dSdt[i];
-                    }
-                    source.setState(state);
-                    source.incTime(deltaT);
-                }
-            }
-            """;
+    private static final String EULER = StudentWork.euler();
 
     @TempDir
     private Path folder;
@@ -74,11 +51,6 @@ class GradeClassCommandTest {
             Files.writeString(file, namesAndTexts[k + 1]);
         }
         return root;
-    }
-
-    private static String answer(String student) {
-        NumericExercise second = (NumericExercise) Exercises.ALL.get(1);
-        return "2: " + second.worked(new Draw(student, 2)).answer() + "\n";
     }
 
     private List<String> rows(String student) throws Exception {

@@ -31,24 +31,6 @@ import particles.teaching.exercises.Exercises;
         and a grade with its report for people and for autograders. */
 class GradeCommandTest {
     private static final String STUDENT = "s-123";
-    private static final String EULER = """
-            package exercises;
-
-            public class %s extends deSolvers.DESolver {
-                @Override
-                public void stepState(deSolvers.DEStateSource source, double deltaT) {
-                    double[] state = new double[source.getStateSize()];
-                    double[] dSdt = new double[source.getStateSize()];
-                    source.getState(state);
-                    source.getStateDerivative(dSdt);
-                    for (int i = 0; i < state.length; i++) {
-                        state[i] += %s;
-                    }
-                    source.setState(state);
-                    source.incTime(deltaT);
-                }
-            }
-            """;
 
     @TempDir
     private Path folder;
@@ -68,7 +50,7 @@ class GradeCommandTest {
     }
 
     private void euler(String name, String increment) throws Exception {
-        write(name, EULER.formatted(name, increment));
+        write(name, StudentWork.solver(name, increment));
     }
 
     private String run(ExitCode expected, String... args) {
@@ -222,7 +204,7 @@ class GradeCommandTest {
                 java.nio.file.Files.writeString(java.nio.file.Path.of("%s"), "broken");"""
                 .formatted(classes.resolve("VictimSolver.java").toString().replace('\\', '/')));
         hostile("SaysSolver", "if (true) throw new java.io.IOException(\"red \\u001b[31m\\r\\u202e\");");
-        write("CheckerSolver", EULER.formatted("CheckerSolver", "deltaT * dSdt[i]")
+        write("CheckerSolver", StudentWork.solver("CheckerSolver", "deltaT * dSdt[i]")
                 .replace("package exercises", "package particles.teaching.solvers"));
         euler("VictimSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
@@ -241,7 +223,7 @@ class GradeCommandTest {
         String[] when = {"calls > 0", "calls > 9000", "calls > 9000 && 1 / (calls % 1) > 0", "steps > 1000",
             "sinceReset > 1000", "source.getTime() > 40"};
         for (int k = 0; k < names.length; k++) {
-            write(names[k], EULER.formatted(names[k],
+            write(names[k], StudentWork.solver(names[k],
                     "(" + when[k] + " ? 0.5 : 1) * deltaT * dSdt[i]").replaceFirst("\\{\n", """
                     {
                         static int calls;
@@ -264,7 +246,7 @@ class GradeCommandTest {
 
     /** Half a step of Euler, after these statements. */
     private void hostile(String name, String statements) throws Exception {
-        write(name, EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
+        write(name, StudentWork.solver(name, "0.5 * deltaT * dSdt[i]")
                 .replaceFirst("\\{\n", Matcher.quoteReplacement("{\n    static { try { " + statements
                 + " } catch (Exception e) { throw new IllegalStateException(e); } }\n")));
     }
