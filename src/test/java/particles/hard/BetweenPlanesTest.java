@@ -24,11 +24,6 @@ import particles.scene.Scene;
 @Tag("hard")
 class BetweenPlanesTest {
     private static final String SLOT = """
-            title: Between floor and ceiling
-            teaches: A ball that meets two planes in turn.
-            solver: rk4
-            deltaT: 0.001
-            duration: 1
             impact: %s
             particles:
               - {id: ball, position: [0, 0.5, 0], velocity: [0.3, 7, 0]}
@@ -40,11 +35,6 @@ class BetweenPlanesTest {
             """;
 
     private static final String GROOVE = """
-            title: In a groove
-            teaches: Two planes hold what lies between them.
-            solver: rk4
-            deltaT: 0.001
-            duration: 1
             impact: %s
             particles:
               - {id: ball, position: [-0.6, 1.6, 0]}

@@ -11,7 +11,6 @@ import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.scene.Scene;
-import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
 
 /** Systems and runs shared by several hard cases. */
@@ -38,10 +37,10 @@ final class HardSystems {
         assertBelow(time, e.getTime(), e.getMessage());
     }
 
-    /** @return a scene from its text, with another solver, step and duration */
+    /** @return a scene of this text, run in this way */
     static Scene scene(String yaml, String solver, double deltaT, double duration) {
-        return SceneBuilder.build(TestScenes.read(yaml).withSolver(solver).withDeltaT(deltaT)
-                .withDuration(duration));
+        return TestScenes.build("title: Hard\nteaches: nothing\nsolver: %s\ndeltaT: %s\nduration: %s\n"
+                .formatted(solver, deltaT, duration) + yaml);
     }
 
     /** @return the system of such a scene at its end */

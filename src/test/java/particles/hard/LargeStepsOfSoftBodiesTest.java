@@ -26,11 +26,6 @@ class LargeStepsOfSoftBodiesTest {
     private static final double FRAME = 1.0 / 30;
 
     private static final String CLOTH = """
-            title: A cloth in steps of a frame
-            teaches: Explicit steps explode where implicit ones do not.
-            solver: rk4
-            deltaT: 0.001
-            duration: 1
             shapes:
               - cloth:
                   corner: [-1, 0, -1]
@@ -49,11 +44,6 @@ class LargeStepsOfSoftBodiesTest {
             """;
 
     private static final String JELLY = """
-            title: A block of jelly at rest
-            teaches: What lies still stays still.
-            solver: rk4
-            deltaT: 0.001
-            duration: 1
             shapes:
               - jelly:
                   centre: [0, 0.4, 0]

@@ -19,8 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 @Tag("hard")
 class RodsWithImplicitSolversTest {
-    private static final String HEAD = "title: t\nteaches: t\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n"
-            + "effects:\n  - gravity\n";
+    private static final String HEAD = "effects: [gravity]\n";
 
     /** A bead on a horizontal wire that carries a pendulum. */
     private static final String ELLIPTIC = HEAD + """

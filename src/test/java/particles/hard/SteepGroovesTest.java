@@ -23,11 +23,6 @@ import particles.scene.Scene;
 @Tag("hard")
 class SteepGroovesTest {
     private static final String GROOVE = """
-            title: In a steep groove
-            teaches: Two rough planes stop what lies between them.
-            solver: rk4
-            deltaT: 0.001
-            duration: 1
             impact: exact
             particles:
               - {id: ball, position: [%s, 4, 0], velocity: [0, 0, %s]}

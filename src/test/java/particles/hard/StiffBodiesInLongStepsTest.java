@@ -34,11 +34,6 @@ class StiffBodiesInLongStepsTest {
 
     private static String block(int columns, double stiffness, String more) {
         return """
-                title: A stiff block
-                teaches: Implicit steps may be long.
-                solver: rk4
-                deltaT: 0.01
-                duration: 1
                 shapes:
                   - jelly:
                       centre: [0, 1, 0]
