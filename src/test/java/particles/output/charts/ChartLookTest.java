@@ -121,12 +121,13 @@ class ChartLookTest {
                 new Area(plot.getRenderer().getSeriesShape(1))));
     }
 
-    /** Three runs of one solver, and two solvers of one's own. */
+    /** Three runs of one solver, two solvers of one's own, two kinds of work, and others. */
     @Test
     void noTwoLinesOfAChartLookTheSame() {
         List<Series> series = new ArrayList<>();
-        for (String name : List.of("rk4, 1 s", "rk4, 2 s", "rk4, 3 s", "mine", "yours")) {
-            series.add(new Series(series.size() < 3 ? RK4 : Look.OWN, name, Mark.LINE, new double[] {0, 1},
+        for (Look look : List.of(RK4, RK4, RK4, Look.OWN, Look.OWN, Look.WORK, Look.WORK, Look.DRIVEN, Look.ERROR,
+                Look.number(0))) {
+            series.add(new Series(look, "line " + series.size(), Mark.LINE, new double[] {0, 1},
                     new double[] {series.size(), 1}));
         }
         XYPlot plot = Charts.of(Panel.of("t", List.of(new Chart(Axis.TIME, Axis.TIME, series))), false,

@@ -254,15 +254,6 @@ class ChartsTest {
         assertFalse(Files.exists(top.resolve(".phase.png.part")));
     }
 
-    /** Two kinds of work have one colour and differ in their dashes. */
-    @Test
-    void twoLinesOfOneLookDifferInTheirDashes() {
-        XYPlot works = plot(false, series(Look.WORK, "drag", 1, 2), series(Look.WORK, "springs", 1, 2));
-        assertEquals(works.getRenderer().getSeriesPaint(0), works.getRenderer().getSeriesPaint(1));
-        assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
-        assertEquals(4, Set.of(Look.number(0).rgb(), Look.DRIVEN.rgb(), Look.WORK.rgb(), Look.ERROR.rgb()).size());
-    }
-
     /** A band is a line as well, an area is not. */
     @Test
     void aBandIsNamedAtItsEndAndAnAreaInTheLegend() {
