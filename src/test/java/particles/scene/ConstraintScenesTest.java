@@ -1,13 +1,10 @@
 package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import particles.law.Particles;
-import particles.law.Reaction;
-import particles.view.SpringView;
 
 /** Scenes with rods and wires do what their texts say; a scene without them builds none. */
 class ConstraintScenesTest {
@@ -39,12 +36,5 @@ class ConstraintScenesTest {
             assertEquals(0, Math.abs(state[i + 3]) + Math.abs(state[i + 4]), 1e-9);
         }
         assertEquals(1, state[6] - state[0], 1e-7);
-    }
-
-    @Test
-    void onlyNamedConstraintsAreBuilt() {
-        assertTrue(scene("04-pendulum.yaml").system().getReactions().isEmpty());
-        Reaction rods = scene("40-rigid-pendulum.yaml").system().getReactions().get(0);
-        assertEquals(1, ((SpringView) rods).springCount());
     }
 }

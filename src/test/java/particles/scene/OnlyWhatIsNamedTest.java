@@ -61,6 +61,8 @@ class OnlyWhatIsNamedTest {
             impact: exact; rules: [ground] | RestingContacts ExactImpacts Impacts
             impact: exact; rules: [sphere: {centre: [9, 9, 9], radius: 1}] | RestingContacts ExactImpacts Impacts
             rules: [collisions: {radius: 0.1}] | Collisions RestingContacts ExactImpacts Impacts RigidConstraints
+            rods: [{from: wall, to: bob}] | RigidConstraints
+            wires: [line: {bead: bob, direction: [1, 0, 0]}] | RigidConstraints
             rules: [tear: {strain: 9}] | SpringTear
             rules: [shake: {particle: wall, amplitude: [1, 0, 0], period: 1}] |
             rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}] | Emitter
