@@ -60,12 +60,8 @@ class EffectClaimsTest {
     /** An effect with one kind of error fails exactly the check for that kind. */
     @Test
     void onlyTheDerivativeCheckFindsAWrongDerivative() {
-        assertEquals(List.of(Claim.DERIVATIVE), kinds(broken(p -> new WrongDerivative(springs(p, 0.8)) {
-            @Override
-            public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-                springs(p, 0.8 * (1 + 1e-3)).addForceDerivatives(state, time, derivatives);
-            }
-        })));
+        assertEquals(List.of(Claim.DERIVATIVE), kinds(broken(p -> new WrongDerivative(springs(p, 0.8),
+                springs(p, 0.8 * (1 + 1e-3))))));
     }
 
     private static List<Broken> broken(Function<Particles, Effect> maker) {
@@ -115,19 +111,16 @@ class EffectClaimsTest {
         assertFalse(broken(p -> new Altered(law.apply(p), 1, -1)).isEmpty(), "the opposite on others");
     }
 
+    private static MagneticField bottle(Particles particles, double length) {
+        return new MagneticField(particles, 2, new Vector3(1, 2, -1), new Vector3(1, 0.3, 0.8), length);
+    }
+
     /** It stores and takes no energy, so its derivatives are all that it claims. */
     @Test
     void theDerivativesOfAMagneticBottleAreThoseOfItsForces() {
-        Function<Particles, Effect> bottle = p -> new MagneticField(p, 2, new Vector3(1, 2, -1),
-                new Vector3(1, 0.3, 0.8), 1.5);
-        assertEquals(List.of(), broken(bottle));
-        assertEquals(List.of(Claim.DERIVATIVE), kinds(broken(p -> new WrongDerivative(bottle.apply(p)) {
-            @Override
-            public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-                new MagneticField(p, 2, new Vector3(1, 2, -1), new Vector3(1, 0.3, 0.8), 1.501)
-                        .addForceDerivatives(state, time, derivatives);
-            }
-        })));
+        assertEquals(List.of(), broken(p -> bottle(p, 1.5)));
+        assertEquals(List.of(Claim.DERIVATIVE),
+                kinds(broken(p -> new WrongDerivative(bottle(p, 1.5), bottle(p, 1.501)))));
     }
 
     @Test
@@ -135,10 +128,18 @@ class EffectClaimsTest {
         assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty());
     }
 
-    /** An effect with wrong force derivatives and otherwise unchanged. */
-    private abstract static class WrongDerivative extends Altered implements DifferentiableEffect {
-        WrongDerivative(Effect effect) {
+    /** An effect with the force derivatives of another one. */
+    private static final class WrongDerivative extends Altered implements DifferentiableEffect {
+        private final DifferentiableEffect other;
+
+        WrongDerivative(Effect effect, DifferentiableEffect other) {
             super(effect, 1, 1);
+            this.other = other;
+        }
+
+        @Override
+        public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+            other.addForceDerivatives(state, time, derivatives);
         }
     }
 
