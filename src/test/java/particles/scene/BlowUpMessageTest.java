@@ -11,6 +11,8 @@ import static particles.Texts.assertStarts;
 import deSolvers.DESolverException;
 import deSolvers.implicit.BackwardEulerSolver;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -154,47 +156,21 @@ class BlowUpMessageTest {
     @ValueSource(strings = {"ground: {restitution: 0.8, restSpeed: 0}",
         "collisions: {radius: 0.25, restitution: 0.8, restSpeed: 0}"})
     void bouncesWithoutEndNameTheRestSpeed(String rule) {
-        String text = """
-                title: A ball
-                teaches: When bounces end.
-                solver: rk4
-                deltaT: 0.01
-                duration: 20
-                impact: exact
-                particles:
-                  - {id: a, position: [0, 1, 0]}
-                  - {id: stand, position: [0, -0.5, 0], fixed: true}
-                effects: [gravity]
-                rules:
-                  - %s
-                """.formatted(rule);
-        String lines = blowUp(TestScenes.build(text));
+        String lines = blowUp(new ShortRun("rk4 exact 0.01 20", """
+                particles: [{id: a, position: [0, 1, 0]}, {id: stand, position: [0, -0.5, 0], fixed: true}]
+                rules: [%s]
+                """.formatted(rule)).getScene());
         assertMatches(lines, "rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
                 + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule");
     }
 
     /** A rope of rods that swings down from the horizontal and cracks like a whip. */
-    private static final String WHIP = """
-            title: A whip of rods
-            teaches: What turns fast needs short steps.
-            solver: SOLVER
-            deltaT: 0.02
-            duration: 2
-            particles:
-              - {id: p0, position: [0, 0, 0], fixed: true}
-            PARTICLESrods:
-            RODSeffects: [gravity]
-            """;
-    private static SceneDescription whip(String solver) {
-        StringBuilder particles = new StringBuilder();
-        StringBuilder rods = new StringBuilder();
-        for (int i = 1; i <= 30; i++) {
-            particles.append("  - {id: p").append(i).append(", position: [").append(i * 0.0625)
-                    .append(", 0, 0], mass: 0.01}\n");
-            rods.append("  - {from: p").append(i - 1).append(", to: p").append(i).append("}\n");
-        }
-        String scene = WHIP.replace("SOLVER", solver).replace("PARTICLES", particles).replace("RODS", rods);
-        return TestScenes.read(scene);
+    private static Scene whip(String solver) {
+        String particles = IntStream.rangeClosed(0, 30).mapToObj(i -> "  - {id: p%d, position: [%s, 0, 0], %s}%n"
+                .formatted(i, i * 0.0625, i == 0 ? "fixed: true" : "mass: 0.01")).collect(Collectors.joining());
+        String rods = IntStream.range(0, 30).mapToObj(i -> "  - {from: p%d, to: p%d}%n".formatted(i, i + 1))
+                .collect(Collectors.joining());
+        return new ShortRun(solver + " clamp 0.02 2", "particles:\n" + particles + "rods:\n" + rods).getScene();
     }
 
     /** Rods have no stability limit that could be told; an adaptive solver finds its steps, and keeps the energy. */
@@ -205,7 +181,7 @@ class BlowUpMessageTest {
         assertTrue(line.endsWith("\nno spring is too stiff for this deltaT, but what turns fast on rods needs"
                 + " shorter steps\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
         assertFalse(line.contains("damping") || line.contains("NaN"), line);
-        Scene advised = SceneBuilder.build(whip("dormand-prince"));
+        Scene advised = whip("dormand-prince");
         double before = advised.system().getEnergy(advised.system().getOwnState(), 0);
         advised.simulation().run();
         double after = advised.system().getEnergy(advised.system().getOwnState(), 2);
@@ -224,41 +200,25 @@ class BlowUpMessageTest {
     /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */
     @Test
     void whatRodsCannotDoIsSaidWithoutAdvice() {
-        String text = """
-                title: Torn between
-                teaches: What no force can do.
-                solver: rk4
-                deltaT: 0.01
-                duration: 2
+        Scene torn = new ShortRun("rk4 clamp 0.01 2", """
                 particles:
                   - {id: wall, position: [0, 0, 0], fixed: true}
                   - {id: middle, position: [1, 0, 0]}
                   - {id: hand, position: [2, 0, 0], fixed: true}
-                rods:
-                  - {from: wall, to: middle}
-                  - {from: middle, to: hand}
-                effects: [gravity]
-                rules:
-                  - glide: {particle: hand, to: [3, 0, 0], duration: 1}
-                """;
-        assertMatches(blowUp(TestScenes.build(text)), "rk4 stopped at t = [\\d.e-]+ s at particle 'middle': the rods"
+                rods: [{from: wall, to: middle}, {from: middle, to: hand}]
+                rules: [glide: {particle: hand, to: [3, 0, 0], duration: 1}]
+                """).getScene();
+        assertMatches(blowUp(torn), "rk4 stopped at t = [\\d.e-]+ s at particle 'middle': the rods"
                 + " and wires connected to particle 'middle' contradict each other: no forces can satisfy them all");
     }
 
     private static Scene stiffCloth(String solver) {
-        String text = """
-                title: A stiff cloth
-                teaches: What buckles.
-                solver: SOLVER
-                deltaT: 0.02
-                duration: 3
+        return new ShortRun(solver + " clamp 0.02 3", """
                 shapes:
                   - cloth: {id: c, corner: [0, 0, 0], across: [0.4, 0, 0], down: [0, 0, 0.4], columns: 5, rows: 5,
                             mass: 0.01, fixed: [top], structural: {stiffness: 1e6},
                             shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
-                effects: [gravity]
-                """.replace("SOLVER", solver);
-        return TestScenes.build(text);
+                """).getScene();
     }
 
     /** Ends a run as the command does, by its numerical error. */
