@@ -72,9 +72,7 @@ public final class Contacts {
     /** Adds the rows of a bead. */
     void addBead(int particle, Curve wire) {
         rowChanges++;
-        for (int k = 0; k < Curve.ROWS; k++) {
-            rows.add(Row.wire(particle, wire, k));
-        }
+        wire.surfaces().forEach(surface -> rows.add(Row.wire(particle, surface)));
     }
 
     /** Removes a row. */

@@ -34,8 +34,7 @@ final class Row {
     boolean latched;                                    // whether no rule ends it in this step; of balls
     boolean stops;                                      // whether they do not separate from it; of a contact
     boolean bounced;                                    // whether it did so in the last impact; of balls
-    private Curve curve;
-    private int function;                               // which of its curve's
+    private Curve.Surface wire;                         // one of the two that meet in its wire
     double value;
     double rate;
     double bend;
@@ -56,10 +55,9 @@ final class Row {
     }
 
     /** A row of a bead. */
-    static Row wire(int particle, Curve curve, int function) {
+    static Row wire(int particle, Curve.Surface wire) {
         Row row = new Row(Kind.WIRE, particle, NONE, 1);
-        row.curve = curve;
-        row.function = function;
+        row.wire = wire;
         return row;
     }
 
@@ -82,8 +80,7 @@ final class Row {
     Row numbered(int index) {
         Row row = new Row(kind, first, second, length);
         row.bounce = bounce;
-        row.curve = curve;
-        row.function = function;
+        row.wire = wire;
         row.number = index;
         return row;
     }
@@ -95,9 +92,9 @@ final class Row {
             evaluateLink(state, x, STRIDE * second);
         } else if (kind == Kind.WIRE) {
             Vector3 at = Vector3.at(state, x);
-            value = curve.value(function, at);
-            bend = curve.bend(function, at, Vector3.at(state, x + 3));
-            curve.gradient(function, at).put(gradient, 0);
+            value = wire.value(at);
+            bend = wire.bend(at, Vector3.at(state, x + 3));
+            wire.gradient(at).put(gradient, 0);
             rate = dot(gradient, 0, state, x + 3);
         } else {
             surface.normal(state, first).put(gradient, 0);

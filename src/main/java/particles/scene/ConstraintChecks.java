@@ -236,9 +236,9 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                     + " is fixed; a bead must be free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
-            for (int k = 0; k < Curve.ROWS; k++) {
-                double off = Math.abs(curve.value(k, x));
-                double leaving = Math.abs(curve.gradient(k, x).dot(v));
+            for (Curve.Surface surface : curve.surfaces()) {
+                double off = Math.abs(surface.value(x));
+                double leaving = Math.abs(surface.gradient(x).dot(v));
                 if (off > ON_WIRE || leaving > STILL) {
                     problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (off > ON_WIRE
                             ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
@@ -250,12 +250,13 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         }
     }
 
-    /** Describes the distance of a point from a wire, found by Newton's method on one of its functions at a time. */
+    /** Describes the distance of a point from a wire, found by Newton's method on one of its surfaces at a time. */
     private static String distance(Curve curve, Vector3 from) {
         Vector3 at = from;
         for (int n = 0; n < STEPS; n++) {
-            Vector3 gradient = curve.gradient(n % Curve.ROWS, at);
-            at = at.minus(gradient.times(curve.value(n % Curve.ROWS, at) / gradient.dot(gradient)));
+            Curve.Surface surface = curve.surfaces().get(n % 2);
+            Vector3 gradient = surface.gradient(at);
+            at = at.minus(gradient.times(surface.value(at) / gradient.dot(gradient)));
         }
         double distance = at.minus(from).length();
         return Double.isFinite(distance) ? "about " + Digits.few(distance) + " m" : "far";

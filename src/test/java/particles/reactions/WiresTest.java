@@ -18,16 +18,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Vector3;
-import particles.reactions.Curve.CircularWire;
-import particles.reactions.Curve.GraphWire;
-import particles.reactions.Curve.StraightWire;
+import particles.reactions.Curve.Profile;
 import particles.scene.ShortRun;
 
 /** Beads on wires against closed forms, and the curves' derivatives against differences. */
 class WiresTest {
     private static final double G = 9.81;
     private static final Vector3 X = new Vector3(1, 0, 0);
-    private static final Vector3 Y = new Vector3(0, 1, 0);
 
     private static ParticleSystem bead(Vector3 position, Vector3 velocity, Curve wire) {
         ParticleSystem system = oneParticle(position, velocity);
@@ -44,10 +41,10 @@ class WiresTest {
     }
 
     static Stream<Curve> curves() {
-        return Stream.of(new StraightWire(new Vector3(1, 2, 3), new Vector3(1, -1, 0.5)),
-                new CircularWire(new Vector3(0.3, 0, 1), new Vector3(1, 2, 3), 0.7),
-                new GraphWire(new Vector3(0, 1, 0), new Vector3(1, 0, 1), Y, GraphWire.parabola(1.5)),
-                new GraphWire(Vector3.ZERO, X, new Vector3(0.2, 1, 0.4), GraphWire.sine(0.4, 2)));
+        return Stream.of(Curve.line(new Vector3(1, 2, 3), new Vector3(1, -1, 0.5)),
+                Curve.circle(new Vector3(0.3, 0, 1), new Vector3(1, 2, 3), 0.7),
+                Curve.graph(new Vector3(0, 1, 0), Profile.parabola(1.5)),
+                Curve.graph(new Vector3(0.1, 0.2, 0.3), Profile.sine(0.4, 2)));
     }
 
     /**
@@ -62,11 +59,11 @@ class WiresTest {
             double[] state = random.doubles(6, -1, 1).toArray();
             Vector3 x = Vector3.at(state, 0);
             Vector3 v = Vector3.at(state, 3);
-            for (int r = 0; r < 2; r++) {
-                double before = curve.value(r, x.minus(v.times(h)));
-                double after = curve.value(r, x.plus(v.times(h)));
-                assertEquals((after - before) / (2 * h), curve.gradient(r, x).dot(v), 1e-7);
-                assertEquals((after - 2 * curve.value(r, x) + before) / (h * h), curve.bend(r, x, v), 9e-7);
+            for (Curve.Surface surface : curve.surfaces()) {
+                double before = surface.value(x.minus(v.times(h)));
+                double after = surface.value(x.plus(v.times(h)));
+                assertEquals((after - before) / (2 * h), surface.gradient(x).dot(v), 1e-7);
+                assertEquals((after - 2 * surface.value(x) + before) / (h * h), surface.bend(x, v), 9e-7);
             }
         }
     }
@@ -101,14 +98,13 @@ class WiresTest {
      */
     @Test
     void aBeadAtTheBottomOfAValleyHasItsSpeedAndNormalForce() {
-        for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2),
-                GraphWire.sine(-0.5, Math.PI)}) {
+        for (Profile profile : new Profile[] {Profile.parabola(2), Profile.sine(-0.5, Math.PI)}) {
             double start = Math.PI / 4;
             boolean parabola = profile.bend().applyAsDouble(0) == 2;
             double bottom = parabola ? 0 : Math.PI / 4;
             double from = parabola ? -start : 0.1;
             ParticleSystem system = bead(new Vector3(from, profile.value().applyAsDouble(from), 0), Vector3.ZERO,
-                    new GraphWire(Vector3.ZERO, X, Y, profile));
+                    Curve.graph(Vector3.ZERO, profile));
             RK4Solver solver = new RK4Solver();
             while (system.getOwnState()[0] < bottom) {
                 solver.stepState(system, 0.001);
@@ -152,10 +148,9 @@ class WiresTest {
     void invalidWiresAreRefused() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("nail", 1, Vector3.ZERO, Vector3.ZERO, true);
-        Steps.assertRefused(() -> new CircularWire(Vector3.ZERO, X, 0),
-                () -> new GraphWire(Vector3.ZERO, X, X, GraphWire.parabola(1)), () -> GraphWire.sine(1, 0),
-                () -> GraphWire.sine(Double.NaN, 1),
-                () -> new RigidConstraints(system, 5).addBead(0, new StraightWire(Vector3.ZERO, X)));
+        Steps.assertRefused(() -> Curve.circle(Vector3.ZERO, X, 0),
+                () -> Profile.sine(1, 0), () -> Profile.sine(Double.NaN, 1),
+                () -> new RigidConstraints(system, 5).addBead(0, Curve.line(Vector3.ZERO, X)));
     }
 
     /**
@@ -164,7 +159,7 @@ class WiresTest {
     @Test
     void projectionWithoutASolutionIsAClearError() {
         ParticleSystem system = bead(new Vector3(1, 0, 0), Vector3.ZERO,
-                new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1));
+                Curve.circle(Vector3.ZERO, new Vector3(0, 0, 1), 1));
         system.addParticle("nail", 1, new Vector3(5, 0, 0), Vector3.ZERO, true);
         RigidConstraints constraints = (RigidConstraints) system.getReactions().get(0);
         constraints.addRod(0, 1, 1);

@@ -4,9 +4,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import particles.law.Vector3;
 import particles.reactions.Curve;
-import particles.reactions.Curve.CircularWire;
-import particles.reactions.Curve.GraphWire;
-import particles.reactions.Curve.StraightWire;
+import particles.reactions.Curve.Profile;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.NumberType;
@@ -33,7 +31,7 @@ public final class WireKind extends Kind {
             "The direction of the wire; the vector's length does not matter.");
 
     private static final WireKind LINE = new WireKind("line", "A straight wire through the bead's initial position.",
-            (values, start) -> new StraightWire(start, values.get(DIRECTION)), BEAD, DIRECTION);
+            (values, start) -> Curve.line(start, values.get(DIRECTION)), BEAD, DIRECTION);
 
     private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "The centre of the ring (m).");
     private static final Key<Vector3> AXIS = VectorType.notZero("").withDefault("axis", new Vector3(0, 0, 1),
@@ -41,7 +39,7 @@ public final class WireKind extends Kind {
     private static final Key<Double> RADIUS = NumberType.positive("m").required("radius", "The ring's radius (m).");
 
     private static final WireKind CIRCLE = new WireKind("circle", "A circular wire.",
-            (values, start) -> new CircularWire(values.get(CENTRE), values.get(AXIS), values.get(RADIUS)),
+            (values, start) -> Curve.circle(values.get(CENTRE), values.get(AXIS), values.get(RADIUS)),
             BEAD, CENTRE, AXIS, RADIUS);
 
     private static final Key<Vector3> ORIGIN = VectorType.of("m").withDefault("origin", Vector3.ZERO,
@@ -55,15 +53,13 @@ public final class WireKind extends Kind {
 
     private static final WireKind PARABOLA = new WireKind("parabola",
             "A parabola in the x-y plane; a hill if the curvature is negative.",
-            (values, start) -> graph(values, GraphWire.parabola(values.get(CURVATURE))), BEAD, ORIGIN, CURVATURE);
+            (values, start) -> Curve.graph(values.get(ORIGIN), Profile.parabola(values.get(CURVATURE))),
+            BEAD, ORIGIN, CURVATURE);
 
     private static final WireKind SINE = new WireKind("sine", "A sine wave in the x-y plane.",
-            (values, start) -> graph(values, GraphWire.sine(values.get(AMPLITUDE), values.get(WAVELENGTH))),
+            (values, start) -> Curve.graph(values.get(ORIGIN),
+                    Profile.sine(values.get(AMPLITUDE), values.get(WAVELENGTH))),
             BEAD, ORIGIN, AMPLITUDE, WAVELENGTH);
-
-    private static Curve graph(Values values, GraphWire.Profile profile) {
-        return new GraphWire(values.get(ORIGIN), new Vector3(1, 0, 0), new Vector3(0, 1, 0), profile);
-    }
 
     /** All wires. */
     public static final List<WireKind> ALL = List.of(LINE, CIRCLE, PARABOLA, SINE);
