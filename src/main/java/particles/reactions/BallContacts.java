@@ -1,11 +1,12 @@
 package particles.reactions;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.ObjDoubleConsumer;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.Row.Kind;
@@ -19,6 +20,7 @@ public final class BallContacts {
     private final ApplyPhase apply;
     private final Contacts contacts;
     private final List<Row> rows;
+    private final Set<List<Integer>> parted = new HashSet<>();  // in this step, as nothing pushed them together
 
     BallContacts(ApplyPhase apply) {
         this.apply = apply;
@@ -27,69 +29,79 @@ public final class BallContacts {
         rows = contacts.rows;
     }
 
-    /** Adds a contact of two balls, whose centres are this far apart (m); its number is the next one. */
-    public void touch(int i, int j, double distance, Bounce bounce) {
-        contacts.addLink(Kind.BALLS, i, j, distance).bounce = bounce;
-    }
-
-    /** @return the first ball of a contact */
-    public int first(int contact) {
-        return rows.get(contact).first;
-    }
-
-    /** @return its second ball */
-    public int second(int contact) {
-        return rows.get(contact).second;
-    }
-
-    /** Lets the contact that was added last not end before {@link #unlatch}, though its force may be 0. */
-    public void latch() {
-        rows.get(end() - 1).latched = true;
-    }
-
-    /** Lets contacts end again. */
-    public void unlatch() {
+    /** Begins a step. */
+    public void beginStep() {
+        parted.clear();
         rows.forEach(row -> row.latched = false);
     }
 
-    /** Forgets which contacts had a bounce. */
-    public void forgetBounces() {
-        rows.forEach(row -> row.bounced = false);
+    /**
+     * Adds a contact of two balls, whose centres are this far apart (m). If they had parted in this step as nothing
+     * pushed them together, they stay together until its end: it could go on for ever.
+     */
+    public void touch(int i, int j, double distance, Bounce bounce) {
+        Row row = contacts.addLink(Kind.BALLS, i, j, distance);
+        row.bounce = bounce;
+        row.latched = parted.contains(List.of(i, j));
     }
 
-    /** @return whether a contact had a bounce in the last impact */
-    public boolean hasBounced(int contact) {
-        return rows.get(contact).bounced;
-    }
-
-    /** Ends the contact with this number. */
-    public void part(int contact) {
-        contacts.removeRow(contact);
-    }
-
-    /** @return the number of the first contact; later ones change theirs when one ends */
-    public int begin() {
+    private int begin() {
         return contacts.begin(Kind.BALLS);
     }
 
-    /** @return one more than the number of the last contact */
-    public int end() {
+    private int end() {
         return contacts.begin(Kind.WIRE);
+    }
+
+    /** @return the number of contacts */
+    public int count() {
+        return end() - begin();
     }
 
     /** @return whether any balls touch */
     public boolean hasContacts() {
-        return end() > begin();
+        return count() > 0;
     }
 
     /** @return the pairs that are in contact or joined by a rod, each in both orders */
     public Set<List<Integer>> findLinks() {
         Set<List<Integer>> links = new HashSet<>();
-        for (int r = end() - 1; r >= 0; r--) {
-            links.add(List.of(first(r), second(r)));
-            links.add(List.of(second(r), first(r)));
+        for (Row row : rows.subList(0, end())) {
+            links.add(List.of(row.first, row.second));
+            links.add(List.of(row.second, row.first));
         }
         return links;
+    }
+
+    private static double separation(Row row, double[] state) {
+        row.evaluate(state);
+        return row.rate;
+    }
+
+    /** @return whether any balls in contact approach or separate faster than some speed (m/s) */
+    public boolean isAnyMoving(double[] state, double slow) {
+        return rows.subList(begin(), end()).stream().anyMatch(row -> Math.abs(separation(row, state)) > slow);
+    }
+
+    /**
+     * Ends the contacts of balls that separate.
+     *
+     * @param rounding the speed that is round-off (m/s)
+     * @param slow     the speed below which those stay in contact that did not bounce in the last impact (m/s)
+     * @return the balls
+     */
+    public BitSet partWhereFast(double[] state, double rounding, double slow) {
+        BitSet apart = new BitSet();
+        for (int r = end() - 1; r >= begin(); r--) {
+            Row row = rows.get(r);
+            if (separation(row, state) > (row.bounced ? rounding : slow)) {
+                apart.set(row.first);
+                apart.set(row.second);
+                contacts.removeRow(r);
+            }
+            row.bounced = false;
+        }
+        return apart;
     }
 
     /** Moves balls in contact, and all that is connected to them, by the small error of a step. */
@@ -114,6 +126,20 @@ public final class BallContacts {
         }
     }
 
+    /** Shows the push of each contact in blocks in which balls touch, see {@link SolvePhase#push}. */
+    private void forEachPush(double[] state, double time, double[] force, ObjDoubleConsumer<Row> action) {
+        solve.evaluate.prepare(state, time);
+        forEach(block -> {
+            solve.solveForces(block, state, time, force);
+            Arrays.stream(block.rows).filter(Row::isContact)
+                    .forEach(row -> action.accept(row, solve.push(block, row, force)));
+        });
+    }
+
+    private boolean mayPart(Row row) {
+        return row.kind == Kind.BALLS && !rows.get(row.number).latched;
+    }
+
     /**
      * @param force the total force of all effects (N)
      * @return the smallest force between two balls in contact (N); if some separate, minus their acceleration, but for
@@ -121,15 +147,7 @@ public final class BallContacts {
      */
     public double leastPush(double[] state, double time, double[] force) {
         double[] least = {Double.POSITIVE_INFINITY};
-        solve.evaluate.prepare(state, time);
-        forEach(block -> {
-            solve.solveForces(block, state, time, force);
-            for (Row row : block.rows) {
-                if (row.kind == Kind.BALLS && !rows.get(row.number).latched) {
-                    least[0] = Math.min(least[0], solve.push(block, row, force));
-                }
-            }
-        });
+        forEachPush(state, time, force, (row, push) -> least[0] = mayPart(row) ? Math.min(least[0], push) : least[0]);
         return least[0];
     }
 
@@ -137,27 +155,19 @@ public final class BallContacts {
      * Ends all contacts of balls, and theirs with surfaces, that separate, but for round-off.
      *
      * @param most the largest push of a contact of balls that ends (N); less than 0 for those that separate only
-     * @return the pairs of balls that were in contact
      */
-    public List<List<Integer>> partWhereFree(double[] state, double time, double[] force, double most) {
+    public void partWhereFree(double[] state, double time, double[] force, double most) {
         BitSet ending = new BitSet();
-        solve.evaluate.prepare(state, time);
-        forEach(block -> {
-            solve.solveForces(block, state, time, force);
-            for (Row row : block.rows) {
-                double push = row.isContact() ? solve.push(block, row, force) : 0;
-                if (row.kind == Kind.BALLS) {
-                    ending.set(row.number, push <= Math.max(most, -Double.MIN_VALUE) && !rows.get(row.number).latched);
-                } else if (push < 0) {
-                    contacts.getModes().set(row.number, row.first, Mode.FREE);
-                }
+        forEachPush(state, time, force, (row, push) -> {
+            if (row.kind == Kind.BALLS) {
+                ending.set(row.number, mayPart(row) && push <= Math.max(most, -Double.MIN_VALUE));
+            } else if (push < 0) {
+                contacts.getModes().set(row.number, row.first, Mode.FREE);
             }
         });
-        List<List<Integer>> parted = new ArrayList<>();
         for (int r = ending.length() - 1; r >= 0; r = ending.previousSetBit(r - 1)) {
-            parted.add(List.of(first(r), second(r)));
-            part(r);
+            parted.add(List.of(rows.get(r).first, rows.get(r).second));
+            contacts.removeRow(r);
         }
-        return parted;
     }
 }

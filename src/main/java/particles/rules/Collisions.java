@@ -3,11 +3,9 @@ package particles.rules;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.DoubleSupplier;
-import java.util.stream.IntStream;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -43,7 +41,6 @@ public final class Collisions implements EventRule {
     private final Balls balls;
     private final NeighbourGrid grid = new NeighbourGrid();
     private double fast;                                // of all balls, at the last impact (m/s)
-    private final Set<List<Integer>> parted = new HashSet<>();  // in this step, as nothing pushed them together
     private final FirstCrossing crossing = new FirstCrossing();
 
     /**
@@ -102,8 +99,7 @@ public final class Collisions implements EventRule {
 
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
-        parted.clear();
-        touching.unlatch();
+        touching.beginStep();
     }
 
     /** {@inheritDoc} Removes the solver's error that would let balls in contact drift, as {@link ExactImpacts} does. */
@@ -117,8 +113,7 @@ public final class Collisions implements EventRule {
     public void findEvents(Motion motion, List<Event> found) {
         double[] begin = motion.getStartState();
         if (touching.hasContacts()) {
-            if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
-                    .anyMatch(r -> Math.abs(separation(r, begin)) > slow(false))) {
+            if (touching.isAnyMoving(begin, slow())) {  // a surface has struck or stopped a ball
                 found.add(new Event(motion.getStartTime(), false, () -> 0, () -> impacts.answer(-1, -1)));
                 return;
             }
@@ -179,7 +174,7 @@ public final class Collisions implements EventRule {
                 return begins ? Math.max(above, rate(system.getOwnState(), i, j)) : above;
             };
             found.add(ExactImpacts.meeting(motion, u, begins, function, () -> {
-                touch(i, j);
+                touching.touch(i, j, reach(i, j), balls.bounce);
                 impacts.answer(-1, -1);
             }));
         }
@@ -195,33 +190,25 @@ public final class Collisions implements EventRule {
 
     private boolean findTouching(double near) {
         double[] state = system.getOwnState();
-        int before = touching.end();
+        int before = touching.count();
         fast = 0;
         for (int i = 0; i < particles.count(); i++) {
             fast = Math.max(fast, Impacts.velocity(state, i).norm1());
         }
         findPairs(state, new double[particles.count()], (i, j) -> {
             if (gap(state, i, j) <= Math.max(near, impacts.moment(state, i) + impacts.moment(state, j))
-                    && rate(state, i, j) <= slow(false)) {
-                touch(i, j);
+                    && rate(state, i, j) <= slow()) {
+                touching.touch(i, j, reach(i, j), balls.bounce);
             }
         });
-        return touching.end() > before;
+        return touching.count() > before;
     }
 
     /** Ends the contacts of balls that separate; those that do not, and do not push, end too. */
     void settle() {
         double[] state = system.getOwnState();
         touching.stop(state, true);
-        BitSet apart = new BitSet();
-        for (int r = touching.end() - 1; r >= touching.begin(); r--) {
-            if (separation(r, state) > slow(touching.hasBounced(r))) {
-                apart.set(touching.first(r));
-                apart.set(touching.second(r));
-                touching.part(r);
-            }
-        }
-        touching.forgetBounces();
+        BitSet apart = touching.partWhereFast(state, Tolerances.ROUNDING * fast, slow());
         apart.stream().forEach(i -> impacts.resting.settle(i, false, state));     // on surfaces they still touch
         apart.stream().filter(i -> impacts.contacts.isSlow(i, state)).forEach(i -> impacts.stickIfSlow(i, fast));
         touching.stop(state, false);
@@ -233,26 +220,12 @@ public final class Collisions implements EventRule {
     /** Ends contacts that push no more than some force (N), which is 0 but for round-off. */
     private void release(double most) {
         impacts.contacts.beginStep();                   // the direction of friction, on which the forces depend
-        parted.addAll(touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(), most));
+        touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(), most);
     }
 
-    /** Lets two balls touch; if they had parted in this step, until its end: it could go on for ever. */
-    private void touch(int i, int j) {
-        touching.touch(i, j, reach(i, j), balls.bounce);
-        if (parted.contains(List.of(i, j))) {
-            touching.latch();
-        }
-    }
-
-    private double separation(int r, double[] state) {
-        int i = touching.first(r);
-        int j = touching.second(r);
-        return apart(state, i, j, 0).dot(apart(state, i, j, 3)) / reach(i, j);
-    }
-
-    /** The speed below which balls do not separate: round-off, or if they have not bounced now, the rest speed. */
-    private double slow(boolean bounced) {
-        return Math.max(bounced ? 0 : balls.bounce.restSpeed(), Tolerances.ROUNDING * fast);
+    /** The speed below which balls do not separate: the rest speed, or round-off. */
+    private double slow() {
+        return Math.max(balls.bounce.restSpeed(), Tolerances.ROUNDING * fast);
     }
 
     private double push() {

@@ -446,7 +446,7 @@ class CollisionsTest {
         rods.balls().touch(3, 4, 1, new Bounce(1, 0, 0));
         rods.reindex(new int[] {0, 1, 2, -1, 3});
         assertEquals(1, rods.springCount());
-        assertEquals(1, rods.balls().end() - rods.balls().begin());
+        assertEquals(1, rods.balls().count());
     }
 
     /** An impact on one ball leaves its neighbour where static friction holds it on the slope. */
