@@ -1,11 +1,9 @@
 package particles.rules;
 
 import java.util.ArrayList;
-import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.DoubleSupplier;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -24,6 +22,10 @@ import particles.reactions.Tolerances;
  */
 public final class ExactImpacts extends Impacts {
     private Optional<Collisions> balls = Optional.empty();
+
+    /** A particle that meets a surface. */
+    private record Touch(int surface, int particle) {
+    }
 
     /** @param resting the surfaces and the particles in contact with them */
     public ExactImpacts(RestingContacts resting) {
@@ -197,16 +199,17 @@ public final class ExactImpacts extends Impacts {
     final void answer(int p, int i) {
         double[] state = system.getOwnState();
         double[] before = state.clone();
-        Map<Integer, BitSet> met = new TreeMap<>();     // surfaces, by particle
+        List<Touch> met = new ArrayList<>();
         if (p >= 0) {
-            noteMeeting(p, i, met);
+            met.add(new Touch(p, i));
         }
         findMeetings(met);
         balls.ifPresent(Collisions::findTouching);
         do {
             resting.getImpacts().answer(meetings(met), state);
         } while (findMeetings(met) | balls.map(Collisions::findTouching).orElse(false));
-        met.forEach((j, some) -> some.stream().forEach(q -> settle(q, j, velocity(before, j).length())));
+        met.sort(Comparator.comparingInt(Touch::particle).thenComparingInt(Touch::surface));
+        met.forEach(touch -> settle(touch.surface, touch.particle, velocity(before, touch.particle).length()));
         balls.ifPresent(Collisions::settle);
     }
 
@@ -225,40 +228,32 @@ public final class ExactImpacts extends Impacts {
         resting.settle(i, false, state);
     }
 
-    private static boolean noteMeeting(int p, int i, Map<Integer, BitSet> met) {
-        BitSet some = met.computeIfAbsent(i, particle -> new BitSet());
-        boolean isNew = !some.get(p);
-        some.set(p);
-        return isNew;
-    }
-
     /** Finds the free particles that meet a surface now; returns whether there are any that had not met it. */
-    private boolean findMeetings(Map<Integer, BitSet> met) {
+    private boolean findMeetings(List<Touch> met) {
         double[] state = system.getOwnState();
-        boolean any = false;
+        int before = met.size();
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 ContactSurface surface = surfaces.get(p);
                 if (modes.get(p, i) == Mode.FREE && Math.abs(surface.distance(state, i)) <= moment(state, i)
-                        && surface.normalSpeed(state, i) < 0 && noteMeeting(p, i, met)) {
+                        && surface.normalSpeed(state, i) < 0 && !met.contains(new Touch(p, i))) {
+                    met.add(new Touch(p, i));
                     lift(surface, state, i);
-                    any = true;
                 }
             }
         }
-        return any;
+        return met.size() > before;
     }
 
     /** The meetings at the present speeds. */
-    private List<Meeting> meetings(Map<Integer, BitSet> met) {
-        List<Meeting> meetings = new ArrayList<>();
-        met.forEach((i, some) -> some.stream().forEach(p -> {
-            double speed = surfaces.get(p).normalSpeed(system.getOwnState(), i);
-            double leaving = -surfaces.get(p).bounce().restitution() * speed;
-            meetings.add(new Meeting(p, i, speed >= 0 ? speed : leaving > restSpeed(surfaces.get(p), i) ? leaving : 0,
-                    Vector3.ZERO));
-        }));
-        return meetings;
+    private List<Meeting> meetings(List<Touch> met) {
+        return met.stream().map(touch -> {
+            ContactSurface surface = surfaces.get(touch.surface);
+            double leaving = -surface.bounce().restitution()
+                    * surface.normalSpeed(system.getOwnState(), touch.particle);
+            boolean bounces = leaving > restSpeed(surface, touch.particle);
+            return new Meeting(touch.surface, touch.particle, bounces ? leaving : 0, Vector3.ZERO);
+        }).toList();
     }
 
     /** How far apart two may be that meet at this moment: round-off of a place, and of the clock (m). */
