@@ -12,12 +12,10 @@ import particles.law.Particles;
 final class FirstCrossing {
     /** The number of coefficients of a squared cubic. */
     private static final int MOST_COEFFICIENTS = 7;
-    private static final int DEEPEST = 45;
-    /** Far more than 6 roots need, each at the end of {@value #DEEPEST} halvings; only round-off takes more. */
+    private static final double SHORTEST_PIECE = 0x1p-45;
+    /** Far more than 6 roots need, each at the end of 45 halvings; only round-off takes more. */
     private static final int MOST_PIECES = 10_000;
 
-    /** The right halves still to be searched, by depth, and the current piece at its own depth. */
-    private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
     private int searched;
     /** The path: the four B&eacute;zier points of a cubic (m). */
     final double[] points = new double[12];
@@ -58,7 +56,8 @@ final class FirstCrossing {
     }
 
     /**
-     * @param coefficients B&eacute;zier coefficients; for a cubic f: f(0), f(0) + f'(0)/3, f(1) - f'(1)/3, f(1)
+     * @param coefficients B&eacute;zier coefficients, which are overwritten; for a cubic f: f(0), f(0) + f'(0)/3, f(1)
+     *                     - f'(1)/3, f(1)
      * @param count        the number of coefficients
      * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does, or if a
      *         coefficient is not finite: such a path belongs to a run that the energy limit is about to end
@@ -70,12 +69,10 @@ final class FirstCrossing {
             }
         }
         searched = 0;
-        System.arraycopy(coefficients, 0, pieces[0], 0, count);
-        return search(count, 0, 1, 0);
+        return search(coefficients, count, 0, 1);
     }
 
-    private double search(int count, double from, double to, int depth) {
-        double[] b = pieces[depth];
+    private double search(double[] b, int count, double from, double to) {
         boolean outside = true;
         for (int k = 0; k < count; k++) {
             outside &= b[k] >= 0;
@@ -86,22 +83,18 @@ final class FirstCrossing {
         if (b[0] < 0 || ++searched > MOST_PIECES) {
             return from;                                // after so many pieces: 0 but for round-off
         }
-        if (depth == DEEPEST) {
+        if (to - from == SHORTEST_PIECE) {
             return b[count - 1] < 0 ? from : Double.NaN;
         }
         double half = (from + to) / 2;
-        double[] left = pieces[depth + 1];
+        double[] left = new double[count];
         for (int level = 0; level < count; level++) {   // de Casteljau: b ends as the right half
             left[level] = b[0];
             for (int k = 0; k < count - 1 - level; k++) {
                 b[k] = (b[k] + b[k + 1]) / 2;
             }
         }
-        double first = search(count, from, half, depth + 1);
-        if (!Double.isNaN(first)) {
-            return first;
-        }
-        System.arraycopy(b, 0, pieces[depth + 1], 0, count);
-        return search(count, half, to, depth + 1);
+        double first = search(left, count, from, half);
+        return Double.isNaN(first) ? search(b, count, half, to) : first;
     }
 }
