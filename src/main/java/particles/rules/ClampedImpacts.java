@@ -34,7 +34,6 @@ import particles.reactions.Tolerances;
 public final class ClampedImpacts extends Impacts {
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
-    private final boolean hasSpheres;
     private BitSet foreseen = new BitSet();             // particles that may stop within the next step
     private double foreseenStep = Double.NaN;           // its length (s)
     private int foreseenAt;                             // the modes' count of changes
@@ -52,7 +51,6 @@ public final class ClampedImpacts extends Impacts {
     /** @param resting the surfaces and the particles in contact with them */
     public ClampedImpacts(RestingContacts resting) {
         super(resting);
-        hasSpheres = surfaces.stream().anyMatch(surface -> !surface.obstacle().isFlat());
         entered = new double[surfaces.size()];
     }
 
@@ -135,9 +133,7 @@ public final class ClampedImpacts extends Impacts {
 
     /** Returns whether a particle has left a surface, or was or is below one. */
     private boolean check(int i, List<Below> below) {
-        if (hasSpheres) {
-            stopFlight(i);
-        }
+        stopFlight(i);
         boolean changes = false;
         for (int p = 0; p < entered.length; p++) {
             changes |= modes.get(p, i) == Mode.FREE ? findBelow(p, i, below) : keepInContact(p, i);
