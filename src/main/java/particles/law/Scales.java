@@ -78,18 +78,24 @@ public record Scales(int tail, int head, double forward, double backward, double
 
         /** @return S u, for a velocity or a force that moves the particle */
         public Vector3 stretch(Vector3 u) {
-            return this == SMOOTH ? u : scale(u, forward, backward, across);
+            return this == SMOOTH ? u : scale(u, ahead(u), across);
         }
 
-        private Vector3 scale(Vector3 u, double ahead, double back, double aside) {
+        /** @return the factor along the axis for a vector */
+        public double ahead(Vector3 u) {
+            return axis.dot(u) < 0 ? backward : forward;
+        }
+
+        /** @return a vector with its part along the axis and that across multiplied by a factor each */
+        public Vector3 scale(Vector3 u, double ahead, double aside) {
             double along = axis.dot(u);
             Vector3 rest = u.minus(axis.times(along));
-            return rest.times(aside).plus(axis.times((along < 0 ? back : ahead) * along));
+            return rest.times(aside).plus(axis.times(ahead * along));
         }
 
         /** @return mu lambda (N) that is just enough to balance a force along the surfaces (N) */
         public double toHold(Vector3 force) {
-            Vector3 shrunk = this == SMOOTH ? force : scale(force, 1 / forward, 1 / backward, 1 / across);
+            Vector3 shrunk = this == SMOOTH ? force : scale(force, 1 / ahead(force), 1 / across);
             return Math.sqrt(shrunk.dot(shrunk));
         }
 
@@ -110,7 +116,7 @@ public record Scales(int tail, int head, double forward, double backward, double
                 return force.times(Math.max(0, most) / size);
             }
             double along = axis.dot(force);
-            double a = most * (along < 0 ? backward : forward);
+            double a = most * ahead(force);
             double c = most * across;
             double x = a * along;
             double y = c * force.minus(axis.times(along)).length();
@@ -124,7 +130,7 @@ public record Scales(int tail, int head, double forward, double backward, double
                 more = t - before;
             }
             double part = a * a / (t + a * a);
-            return scale(force, part, part, c * c / (t + c * c));
+            return scale(force, part, c * c / (t + c * c));
         }
     }
 }

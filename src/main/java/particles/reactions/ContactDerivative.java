@@ -189,45 +189,38 @@ final class ContactDerivative {
         Vector3 needed = along(force).plus(b.times(contacts.stoppingRate(i)));
         Vector3 dNeeded = along(force, dForce).plus(db.times(contacts.stoppingRate(i)));
         Stretch s = new Stretch(needed);
-        Vector3 z = s.inverse(needed, 1);
-        return z.length() <= most ? dNeeded : s.balance(needed, dNeeded, most, dMost);
+        return s.inverse(needed).length() <= most ? dNeeded : s.balance(needed, dNeeded, most, dMost);
     }
 
     /** The map S of {@link Skin}, c u + h a (a . u), where a is the body's axis along the surfaces. */
     private final class Stretch {
-        private final double c;
-        private final double h;
-        private final double along;                     // the factor along the axis
-        private final Vector3 direction;
+        private final double c = skin.across();
+        private final double ahead;
 
         /** @param u decides between the factors forward and backward */
         Stretch(Vector3 u) {
-            c = skin.across();
-            along = axis.dot(u) < 0 ? skin.backward() : skin.forward();
-            h = axis.isZero() ? 0 : (along - c) / axis.dot(axis);
-            direction = axis.isZero() ? Vector3.ZERO : axis.normalized();
+            ahead = skin.ahead(u);
         }
 
         Vector3 of(Vector3 u) {
-            return u.times(c).plus(axis.times(h * axis.dot(u)));
+            return skin.scale(u, ahead, c);
         }
 
         /** The change of S u. */
         Vector3 change(Vector3 u, Vector3 du) {
-            if (h == 0) {
+            if (axis.isZero()) {
                 return du.times(c);
             }
+            double h = (ahead - c) / axis.dot(axis);
             Vector3 dAxis = ContactDerivative.this.along(body, longer);
             double dH = -2 * h * body.dot(longer) / body.dot(body);
             double part = axis.dot(u);
             return of(du).plus(dAxis.times(h * part)).plus(axis.times(h * dAxis.dot(u) + dH * part));
         }
 
-        /** S<sup>-1</sup> u or S<sup>-2</sup> u. */
-        Vector3 inverse(Vector3 u, int power) {
-            double aside = power == 1 ? 1 / c : 1 / (c * c);
-            double ahead = power == 1 ? 1 / along : 1 / (along * along);
-            return u.times(aside).plus(direction.times((ahead - aside) * direction.dot(u)));
+        /** S<sup>-1</sup> u. */
+        Vector3 inverse(Vector3 u) {
+            return skin.scale(u, 1 / ahead, 1 / c);
         }
 
         /**
@@ -237,9 +230,9 @@ final class ContactDerivative {
         Vector3 balance(Vector3 n, Vector3 dn, double most, double dMost) {
             Vector3 y = skin.balance(n, most);
             double m = n.minus(y).dot(y) / (most * most);
-            Vector3 z = inverse(y, 1);
-            Vector3 by = inverse(y, 2);
-            Vector3 dBy = inverse(change(by, Vector3.ZERO), 1).plus(inverse(change(z, Vector3.ZERO), 2)).times(-1);
+            Vector3 z = inverse(y);
+            Vector3 by = inverse(z);
+            Vector3 dBy = inverse(change(by, Vector3.ZERO).plus(inverse(change(z, Vector3.ZERO)))).times(-1);
             Vector3 dy = solve(m, dn.minus(dBy.times(m)));
             Vector3 perM = solve(m, by);
             double dM = (by.dot(dy) + y.dot(dBy) / 2 - most * dMost) / by.dot(perM);
@@ -247,9 +240,7 @@ final class ContactDerivative {
         }
 
         private Vector3 solve(double m, Vector3 u) {
-            double aside = 1 / (1 + m / (c * c));
-            double ahead = 1 / (1 + m / (along * along));
-            return u.times(aside).plus(direction.times((ahead - aside) * direction.dot(u)));
+            return skin.scale(u, 1 / (1 + m / (ahead * ahead)), 1 / (1 + m / (c * c)));
         }
     }
 }
