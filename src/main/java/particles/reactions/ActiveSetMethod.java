@@ -19,7 +19,6 @@ import java.util.Arrays;
  * this search always ends.
  */
 final class ActiveSetMethod {
-    private final MinimumNormSolution dense = new MinimumNormSolution();
     private EnvelopeMatrix a;                           // the problem, as given to solve
     private double[] b;
     private boolean[] contact;
@@ -68,14 +67,7 @@ final class ActiveSetMethod {
         this.w = w;
         n = a.size();
         dependent = false;
-        if (n == 1 && contact[0] && a.get(0, 0) != 0) { // a single row needs no search
-            double force = b[0] / a.get(0, 0);
-            lambda[0] = signed ? Math.max(0, force) : force;
-            w[0] = lambda[0] == force ? 0 : -b[0];
-            left = 0;
-            return true;
-        }
-        wrong = wrong.length < n ? new boolean[n] : wrong;
+        wrong = new boolean[n];
         largest = 0;
         for (int r = 0; r < n; r++) {
             largest = Math.max(largest, Math.abs(b[r]));
@@ -224,7 +216,7 @@ final class ActiveSetMethod {
         if (regular && left <= Math.max(Tolerances.RESIDUAL, noise) * largest) {
             left = 0;
         } else {
-            dense.solve(a, active, b, lambda, singular);
+            MinimumNormSolution.solve(a, active, b, lambda, singular);
             findResidual();
         }
     }

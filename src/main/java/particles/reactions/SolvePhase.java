@@ -24,10 +24,6 @@ final class SolvePhase {
     final GatherPhase gather;
     final EvaluatePhase evaluate;
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
-    private double[] right = {};
-    private double[] solution = {};
-    private double[] separation = {};
-    private boolean[] mayOpen = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
 
     SolvePhase(Contacts contacts) {
@@ -54,12 +50,10 @@ final class SolvePhase {
             System.arraycopy(block.first, 0, block.active, 0, block.first.length);
         }
         Row[] rows = block.rows;
-        if (right.length < rows.length) {
-            right = new double[2 * rows.length];
-            solution = new double[2 * rows.length];
-            separation = new double[2 * rows.length];
-            mayOpen = new boolean[2 * rows.length];
-        }
+        double[] right = new double[rows.length];
+        double[] solution = new double[rows.length];
+        double[] separation = new double[rows.length];
+        boolean[] mayOpen = new boolean[rows.length];
         for (int r = 0; r < rows.length; r++) {
             right[r] = rows[r].right;
             mayOpen[r] = rows[r].isContact() && separates.test(rows[r]);
