@@ -147,7 +147,7 @@ public final class ClampedImpacts extends Impacts {
         double[] before = contacts.getStepBegin();
         boolean isBelow = surface.distance(system.getOwnState(), i) < 0;
         if (isBelow) {
-            double crossed = surface.distance(before, i) > 0 ? firstBelow(surface, before, arrived, deltaT, i, 0) : 0;
+            double crossed = surface.distance(before, i) > 0 ? firstBelow(surface, before, i, 0) : 0;
             found.add(new Below(p, i, Double.isNaN(crossed) ? 1 : crossed));
         }
         return isBelow;
@@ -253,18 +253,18 @@ public final class ClampedImpacts extends Impacts {
     private void stopFlight(int i) {
         double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
+        crossing.begin(before, arrived, deltaT, i);
         double first = Double.POSITIVE_INFINITY;
         for (int p = 0; p < entered.length; p++) {
             ContactSurface surface = surfaces.get(p);
             // one that began on the surface or below has been put there by rods
             double distance = surface.obstacle().isFlat() || modes.get(p, i) != Mode.FREE ? 0
                     : surface.distance(before, i);
-            boolean mayEnter = distance > slack(before, i) && distance <= longest(before, i);
-            entered[p] = mayEnter ? firstBelow(surface, before, arrived, deltaT, i, 0) : Double.NaN;
+            boolean mayEnter = distance > slack(before, i) && distance <= crossing.reach();
+            entered[p] = mayEnter ? firstBelow(surface, before, i, 0) : Double.NaN;
             first = entered[p] < first ? entered[p] : first;
         }
         if (first < 1) {
-            crossing.begin(before, arrived, deltaT, i);
             crossing.put(first, before, arrived, i, state);
         }
         for (int p = 0; first <= 1 && p < entered.length; p++) {
@@ -273,11 +273,5 @@ public final class ClampedImpacts extends Impacts {
                         -surfaces.get(p).distance(state, i) - slack(state, i));
             }
         }
-    }
-
-    /** The most that a particle's path within the step can measure (m): the sum of the three sides of its hull. */
-    private double longest(double[] before, int i) {
-        double sides = deltaT / 3 * (velocity(before, i).norm1() + velocity(arrived, i).norm1());
-        return 2 * sides + Vector3.at(arrived, STRIDE * i).minus(Vector3.at(before, STRIDE * i)).norm1();
     }
 }

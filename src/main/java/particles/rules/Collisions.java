@@ -127,10 +127,7 @@ public final class Collisions implements EventRule {
         double[] moves = new double[particles.count()];         // the farthest that each may get
         for (int i = 0; i < particles.count(); i++) {
             crossing.begin(begin, motion.getEndState(), h, i);
-            for (int k = 3; k < 12; k += 3) {
-                moves[i] = Math.max(moves[i], Vector3.at(crossing.points, k).minus(Vector3.at(begin, STRIDE * i))
-                        .length());
-            }
+            moves[i] = crossing.reach();
         }
         double size = Tolerances.DEEP * ExactImpacts.size(motion);
         findPairs(begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));

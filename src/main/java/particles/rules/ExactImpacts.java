@@ -89,7 +89,9 @@ public final class ExactImpacts extends Impacts {
             }
         }
         double size = -1;
+        double h = motion.getEndTime() - motion.getStartTime();
         for (int i = 0; i < particles.count(); i++) {
+            crossing.begin(motion.getStartState(), motion.getEndState(), h, i);
             for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 if (modes.get(p, i) == Mode.FREE) {
                     boolean begins = isOn(surfaces.get(p), motion.getStartState(), i);
@@ -153,11 +155,10 @@ public final class ExactImpacts extends Impacts {
     private void findMeeting(int p, int i, Motion motion, boolean begins, double size, List<Event> found) {
         ContactSurface surface = surfaces.get(p);
         double[] begin = motion.getStartState();
-        double h = motion.getEndTime() - motion.getStartTime();
         boolean isFlat = surface.obstacle().isFlat();
         double radius = isFlat ? 0 : 1 / surface.curvature(begin, i);
         double below = begins ? Math.max(0, Tolerances.DEEP * (size + radius) - surface.distance(begin, i)) : 0;
-        double u = firstBelow(surface, begin, motion.getEndState(), h, i, below);
+        double u = firstBelow(surface, begin, i, below);
         if (!Double.isNaN(u)) {
             found.add(meeting(motion, u, begins, () -> {
                 double above = surface.distance(system.getOwnState(), i) + below;

@@ -3,6 +3,7 @@ package particles.rules;
 import java.util.Arrays;
 import particles.law.Obstacle;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Finds the first root at which a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece
@@ -18,7 +19,7 @@ final class FirstCrossing {
 
     private int searched;
     /** The path: the four B&eacute;zier points of a cubic (m). */
-    final double[] points = new double[12];
+    private final double[] points = new double[12];
     private final double[] coefficients = new double[MOST_COEFFICIENTS];
 
     /** Begins with the path of a particle, the cubic between two states that are a time h apart (s). */
@@ -35,6 +36,15 @@ final class FirstCrossing {
             points[6 + c] += factor * (end[x] - h * end[x + 3] / 3);
             points[9 + c] += factor * end[x];
         }
+    }
+
+    /** The farthest that the path may get from its beginning (m), as no point of it is beyond its B&eacute;zier points. */
+    double reach() {
+        double farthest = 0;
+        for (int k = 3; k < points.length; k += 3) {
+            farthest = Math.max(farthest, Vector3.at(points, k).minus(Vector3.at(points, 0)).length());
+        }
+        return farthest;
     }
 
     /** Puts a particle where it was at a fraction u of the path between two states; its velocity is interpolated. */

@@ -173,15 +173,13 @@ abstract class Impacts implements EventRule {
     }
 
     /**
-     * Finds where a particle first goes below a surface, on the cubic between two states; its path is left in {@link
-     * #crossing}.
+     * Finds where a particle first goes below a surface, on its path in {@link #crossing}.
      *
-     * @param h     the time between the states (s)
+     * @param begin the state at the path's beginning
      * @param below how far below it has to go (m)
-     * @return the fraction of the time, 0 ... 1; NaN if it does not
+     * @return the fraction of the path's time, 0 ... 1; NaN if it does not
      */
-    final double firstBelow(ContactSurface surface, double[] begin, double[] end, double h, int i, double below) {
-        crossing.begin(begin, end, h, i);
+    final double firstBelow(ContactSurface surface, double[] begin, int i, double below) {
         // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
         double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
         return crossing.into(surface.obstacle(), more + surface.obstacle().raise(surface.radius().applyAsDouble(i)));
