@@ -147,7 +147,7 @@ public final class ClampedImpacts extends Impacts {
         double[] before = contacts.getStepBegin();
         boolean isBelow = surface.distance(system.getOwnState(), i) < 0;
         if (isBelow) {
-            double crossed = surface.distance(before, i) > 0 ? firstBelow(surface, before, i, 0) : 0;
+            double crossed = surface.distance(before, i) > 0 ? firstBelow(surface, i) : 0;
             found.add(new Below(p, i, Double.isNaN(crossed) ? 1 : crossed));
         }
         return isBelow;
@@ -261,7 +261,7 @@ public final class ClampedImpacts extends Impacts {
             double distance = surface.obstacle().isFlat() || modes.get(p, i) != Mode.FREE ? 0
                     : surface.distance(before, i);
             boolean mayEnter = distance > slack(before, i) && distance <= crossing.reach();
-            entered[p] = mayEnter ? firstBelow(surface, before, i, 0) : Double.NaN;
+            entered[p] = mayEnter ? firstBelow(surface, i) : Double.NaN;
             first = entered[p] < first ? entered[p] : first;
         }
         if (first < 1) {

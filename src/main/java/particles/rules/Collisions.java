@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.DoubleSupplier;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -18,6 +17,7 @@ import particles.reactions.BallContacts;
 import particles.reactions.ContactSurface.Bounce;
 import particles.reactions.RigidConstraints;
 import particles.reactions.Tolerances;
+import particles.rules.ExactImpacts.Gap;
 
 /**
  * Hard spheres: particles are balls that bounce off each other. Impacts are located like those with surfaces, see
@@ -129,7 +129,7 @@ public final class Collisions implements EventRule {
             crossing.begin(begin, motion.getEndState(), h, i);
             moves[i] = crossing.reach();
         }
-        double size = Tolerances.DEEP * ExactImpacts.size(motion);
+        double size = ExactImpacts.size(motion);
         findPairs(begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
     }
 
@@ -155,26 +155,19 @@ public final class Collisions implements EventRule {
         }
     }
 
-    /** Finds when two balls meet; as for surfaces, those that begin in contact have to go deeper than round-off. */
-    private void findMeeting(Motion motion, int i, int j, double rounding, List<Event> found) {
+    private void findMeeting(Motion motion, int i, int j, double size, List<Event> found) {
         double[] begin = motion.getStartState();
-        double gap = gap(begin, i, j);
-        boolean begins = gap <= Impacts.slack(begin, i);
-        double below = begins ? Math.max(0, rounding + Tolerances.DEEP * reach(i, j) - gap) : 0;
         double h = motion.getEndTime() - motion.getStartTime();
         crossing.begin(begin, motion.getEndState(), h, i);
         crossing.add(-1, begin, motion.getEndState(), h, j);
-        double u = crossing.into(new Sphere(Vector3.ZERO, reach(i, j), false), below * (2 * reach(i, j) - below));
-        if (!Double.isNaN(u)) {
-            DoubleSupplier function = () -> {
-                double above = gap(system.getOwnState(), i, j) + below;
-                return begins ? Math.max(above, rate(system.getOwnState(), i, j)) : above;
-            };
-            found.add(ExactImpacts.meeting(motion, u, begins, function, () -> {
-                touching.touch(i, j, reach(i, j), balls.bounce);
-                impacts.answer(-1, -1);
-            }));
-        }
+        Gap gap = new Gap(new Sphere(Vector3.ZERO, reach(i, j), false), 0, state -> gap(state, i, j),
+                state -> rate(state, i, j));
+        boolean begins = gap(begin, i, j) <= Impacts.slack(begin, i);
+        double depth = begins ? Tolerances.DEEP * (size + reach(i, j)) : Double.NaN;
+        ExactImpacts.findMeeting(motion, crossing, gap, depth, found, () -> {
+            touching.touch(i, j, reach(i, j), balls.bounce);
+            impacts.answer(-1, -1);
+        });
     }
 
     /**

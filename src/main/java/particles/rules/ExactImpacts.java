@@ -5,8 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
+import java.util.function.ToDoubleFunction;
 import particles.Motion;
 import particles.ParticleSystem;
+import particles.law.Obstacle;
 import particles.law.Vector3;
 import particles.reactions.BlockImpacts.Meeting;
 import particles.reactions.ContactModes.Mode;
@@ -23,6 +25,17 @@ import particles.reactions.Tolerances;
 public final class ExactImpacts extends Impacts {
     private Optional<Collisions> balls = Optional.empty();
 
+    /**
+     * What is between a particle and a surface, or two balls.
+     *
+     * @param solid  what one enters, where the other is, or as seen from it
+     * @param height by how much the solid is raised (m)
+     * @param size   the gap (m) in a state
+     * @param rate   its rate (m/s)
+     */
+    record Gap(Obstacle solid, double height, ToDoubleFunction<double[]> size, ToDoubleFunction<double[]> rate) {
+    }
+
     /** A particle that meets a surface. */
     private record Touch(int surface, int particle) {
     }
@@ -36,18 +49,6 @@ public final class ExactImpacts extends Impacts {
     /** Answers impacts of balls together with those on surfaces. */
     void join(Collisions collisions) {
         balls = Optional.of(collisions);
-    }
-
-    /**
-     * A meeting, located on the cubic path.
-     *
-     * @param u      the fraction of the motion's time
-     * @param begins whether the two touch at the start, and so meet again later
-     */
-    static Event meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable action) {
-        double start = motion.getStartTime();
-        double time = start + u * (motion.getEndTime() - start);
-        return new Event(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, action);
     }
 
     /**
@@ -96,7 +97,7 @@ public final class ExactImpacts extends Impacts {
                 if (modes.get(p, i) == Mode.FREE) {
                     boolean begins = isOn(surfaces.get(p), motion.getStartState(), i);
                     size = begins && size < 0 ? size(motion) : size;
-                    findMeeting(p, i, motion, begins, size, found);
+                    findMeeting(p, i, motion, begins ? size : Double.NaN, found);
                 }
             }
         }
@@ -142,28 +143,38 @@ public final class ExactImpacts extends Impacts {
         modes.set(p, i, Mode.FREE);
     }
 
-    /**
-     * Finds when particle i first goes below a surface, on the cubic between the motion's ends. A particle that begins
-     * on the surface (after a bounce, a release or a birth) has a distance of round-off size there; it meets the
-     * surface again only if it goes deeper than that, by the solver's step and not only by the cubic. The cubic may dip
-     * falsely: a particle released with no speed and no acceleration rises as t&sup3;, and at first the cubic's error
-     * of order t&sup2; h&sup2; is larger than that.
-     *
-     * @param begins whether it begins on the surface
-     * @param size   the length to which round-off of positions is relative (m); used if it begins on the surface
-     */
-    private void findMeeting(int p, int i, Motion motion, boolean begins, double size, List<Event> found) {
+    private void findMeeting(int p, int i, Motion motion, double size, List<Event> found) {
         ContactSurface surface = surfaces.get(p);
-        double[] begin = motion.getStartState();
-        boolean isFlat = surface.obstacle().isFlat();
-        double radius = isFlat ? 0 : 1 / surface.curvature(begin, i);
-        double below = begins ? Math.max(0, Tolerances.DEEP * (size + radius) - surface.distance(begin, i)) : 0;
-        double u = firstBelow(surface, begin, i, below);
+        double radius = surface.obstacle().isFlat() ? 0 : 1 / surface.curvature(motion.getStartState(), i);
+        Gap gap = new Gap(surface.obstacle(), surface.radius().applyAsDouble(i), state -> surface.distance(state, i),
+                state -> surface.normalSpeed(state, i));
+        findMeeting(motion, crossing, gap, Tolerances.DEEP * (size + radius), found, () -> meet(p, i));
+    }
+
+    /**
+     * Finds when two first meet, on the cubic between the motion's ends. Where they begin in touch (after a bounce, a
+     * release or a birth) the gap has the size of round-off; they meet again only if one goes deeper than that into the
+     * other, by the solver's step and not only by the cubic. The cubic may dip falsely: a particle released with no
+     * speed and no acceleration rises as t&sup3;, and at first the cubic's error of order t&sup2; h&sup2; is larger
+     * than that.
+     *
+     * @param path  of one, or of one relative to the other
+     * @param depth round-off of the gap (m); NaN if they do not begin in touch
+     */
+    static void findMeeting(Motion motion, FirstCrossing path, Gap gap, double depth, List<Event> found,
+            Runnable action) {
+        boolean begins = !Double.isNaN(depth);
+        double below = begins ? Math.max(0, depth - gap.size.applyAsDouble(motion.getStartState())) : 0;
+        double u = path.into(gap.solid, gap.height - below);
         if (!Double.isNaN(u)) {
-            found.add(meeting(motion, u, begins, () -> {
-                double above = surface.distance(system.getOwnState(), i) + below;
-                return begins && !isFlat ? Math.max(above, surface.normalSpeed(system.getOwnState(), i)) : above;
-            }, () -> meet(p, i)));
+            DoubleSupplier function = () -> {
+                double[] state = motion.getSystem().getOwnState();
+                double above = gap.size.applyAsDouble(state) + below;
+                return begins && !gap.solid.isFlat() ? Math.max(above, gap.rate.applyAsDouble(state)) : above;
+            };
+            double start = motion.getStartTime();
+            double time = start + u * (motion.getEndTime() - start);
+            found.add(new Event(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, action));
         }
     }
 

@@ -38,7 +38,7 @@ final class FirstCrossing {
         }
     }
 
-    /** The farthest that the path may get from its beginning (m), as no point of it is beyond its B&eacute;zier points. */
+    /** How far the path may get from its beginning (m): no point of it is beyond its B&eacute;zier points. */
     double reach() {
         double farthest = 0;
         for (int k = 3; k < points.length; k += 3) {
@@ -56,8 +56,9 @@ final class FirstCrossing {
         }
     }
 
-    /** When the path first enters an obstacle whose separation is larger by an amount; NaN if it does not. */
-    double into(Obstacle obstacle, double more) {
+    /** When the path first enters an obstacle that is raised by a height (m); NaN if it does not. */
+    double into(Obstacle obstacle, double height) {
+        double more = obstacle.raise(height);
         int count = obstacle.separation(points, coefficients);
         for (int k = 0; k < count; k++) {
             coefficients[k] += more;

@@ -172,17 +172,9 @@ abstract class Impacts implements EventRule {
         }
     }
 
-    /**
-     * Finds where a particle first goes below a surface, on its path in {@link #crossing}.
-     *
-     * @param begin the state at the path's beginning
-     * @param below how far below it has to go (m)
-     * @return the fraction of the path's time, 0 ... 1; NaN if it does not
-     */
-    final double firstBelow(ContactSurface surface, double[] begin, int i, double below) {
-        // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
-        double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
-        return crossing.into(surface.obstacle(), more + surface.obstacle().raise(surface.radius().applyAsDouble(i)));
+    /** When a particle goes below a surface, as a fraction of its path in {@link #crossing}; NaN if it does not. */
+    final double firstBelow(ContactSurface surface, int i) {
+        return crossing.into(surface.obstacle(), surface.radius().applyAsDouble(i));
     }
 
     /** Whether a particle is on a surface but for round-off. */
