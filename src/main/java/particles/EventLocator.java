@@ -21,6 +21,7 @@ final class EventLocator {
     private final DESolver solver;
     private double[] begin = {};
     private double beginTime;
+    private double reached;                             // the length of the last trial; NaN if there was none (s)
 
     EventLocator(DESolver solver) {
         this.solver = solver;
@@ -79,6 +80,7 @@ final class EventLocator {
     private boolean locate(ParticleSystem system, Motion motion, Event event) {
         begin = motion.getStartState();
         beginTime = motion.getStartTime();
+        reached = Double.NaN;
         if (event.time() <= beginTime) {
             step(system, 0);
             return true;
@@ -108,7 +110,10 @@ final class EventLocator {
             system.setTime(motion.getEndTime());
             return false;
         }
-        step(system, shrink(system, event, low, lowValue, high, highValue));
+        double found = shrink(system, event, low, lowValue, high, highValue);
+        if (found != reached) {
+            step(system, found);
+        }
         return true;
     }
 
@@ -159,5 +164,6 @@ final class EventLocator {
         system.setTime(beginTime);
         solver.reset();
         solver.stepState(system, h);
+        reached = h;
     }
 }
