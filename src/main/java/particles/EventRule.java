@@ -32,24 +32,14 @@ public interface EventRule extends Rule {
     void findEvents(Motion motion, List<Event> found);
 
     /**
-     * Tells whether a solver may fail in a step because the law changes within it: the solver must step across the
-     * event before it can be located. The loop then retries in shorter pieces.
+     * Tells whether a step, or a part of one, at which the solver fails may be made in two halves: the law may change
+     * within it, and less within a half. All rules act after each half.
      *
-     * @param system the system where a step began
-     * @param time   the step's length (s)
-     * @return whether the path may turn sharply within that time
+     * @param length the length of the part (s)
+     * @param deltaT the time step (s)
+     * @return whether the part may be divided
      */
-    default boolean mayTurnWithin(ParticleSystem system, double time) {
-        return false;
-    }
-
-    /**
-     * Tells whether a step at which the solver fails may be made in two halves. The rule acts after each, so less
-     * changes within one.
-     *
-     * @return whether the step may be divided
-     */
-    default boolean mayDivide() {
+    default boolean mayDivide(double length, double deltaT) {
         return false;
     }
 }

@@ -1,7 +1,6 @@
 package particles;
 
 import deSolvers.DESolver;
-import deSolvers.DESolverException;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,8 +15,6 @@ import particles.SimulationException.End;
 final class EventSteps {
     /** The largest number of events in a step: far more than any sequence of ever smaller bounces before rest. */
     private static final int MOST_EVENTS = 100_000;
-    /** The shortest piece to try, as a fraction of a step; any turn that is not a stop needs less precision. */
-    private static final double SHORTEST_PIECE = 0x1p-40;
     /**
      * The largest number of evaluations in a step near a sharp turn of the path. A particle that creeps, because
      * springs pull it only just harder than friction holds it, is stiff for every explicit solver.
@@ -35,6 +32,7 @@ final class EventSteps {
     private static final int MOST_WINDOWS = 50;
 
     private final ParticleSystem system;
+    private final double deltaT;
     private final DESolver solver;
     private final Supplier<DESolver> searchSolver;
     private final List<Observer> observers;
@@ -42,16 +40,19 @@ final class EventSteps {
     private final Motion motion = new Motion();
     private EventLocator locator;
     private long events;
+    private long begun;                                 // evaluations before the step
 
     /**
      * @param system       the system
+     * @param deltaT       the time step (s)
      * @param solver       its solver
      * @param searchSolver makes another solver, which only locates events
      * @param observers    told of every event and of all motions but the last one of a step; the list may grow
      */
-    EventSteps(ParticleSystem system, DESolver solver, Supplier<DESolver> searchSolver,
+    EventSteps(ParticleSystem system, double deltaT, DESolver solver, Supplier<DESolver> searchSolver,
             List<Observer> observers) {
         this.system = system;
+        this.deltaT = deltaT;
         this.solver = solver;
         this.searchSolver = searchSolver;
         this.observers = observers;
@@ -64,9 +65,9 @@ final class EventSteps {
         }
     }
 
-    /** Whether a step at which the solver fails may be made in two halves. */
-    boolean mayDivide() {
-        return rules.stream().anyMatch(EventRule::mayDivide);
+    /** Whether a part of a step at which the solver fails may be made in two halves; its length in s. */
+    boolean mayDivide(double length) {
+        return rules.stream().anyMatch(rule -> rule.mayDivide(length, deltaT));
     }
 
     /** Whether a step may have events; its motions are then always recorded. */
@@ -84,50 +85,34 @@ final class EventSteps {
         return events;
     }
 
+    /** Begins a step of the run, whose work is limited. */
+    void begin() {
+        begun = system.getEvaluations();
+    }
+
     /**
-     * Makes one step. If the solver fails where the path may turn sharply, the step is retried in shorter pieces; any
-     * other failure is thrown.
+     * Makes one step, or a part of one.
      *
-     * @param h     the length of the step (s)
+     * @param h     its length (s)
      * @param end   the time at its end, of which the clock plus h may be off by round-off (s)
      * @param noted whether to record its motion
      * @return whether the last motion was recorded
      */
     boolean move(double h, double end, boolean noted) {
-        long begin = system.getEvaluations();
         boolean note = noted;
         double left = h;
-        double length = h;
         Headway headway = new Headway(system.getParticles().count(), system.getTime());
         for (int inStep = 0; inStep <= MOST_EVENTS; inStep++) {
             headway.require(inStep, system.getTime(), end);
-            if (system.getEvaluations() - begin > MOST_EVALUATIONS && mayTurnWithin(length)) {
-                throw noHeadway(system.getTime(), "this step took " + (system.getEvaluations() - begin)
+            if (system.getEvaluations() - begun > MOST_EVALUATIONS && mayDivide(left)) {
+                throw noHeadway(system.getTime(), "this step took " + (system.getEvaluations() - begun)
                         + " evaluations", end);
             }
-            boolean stopped;
-            try {
-                stopped = moveOn(length, length == left ? end : system.getTime() + length, note);
-            } catch (DESolverException e) {             // the system is back where the motion began
-                if (length < SHORTEST_PIECE * h || !mayTurnWithin(length)) {
-                    throw e;
-                }
-                solver.reset();
-                length /= 2;
-                continue;
-            }
-            if (!stopped && length == left) {
+            if (!moveOn(left, end, note)) {
                 return note;
-            }
-            if (!stopped) {
-                motion.showTo(observers);
-                solver.reset();
-                double rest = end - system.getTime();
-                rules.forEach(rule -> rule.beforeStep(system, rest));
             }
             note = true;
             left = end - system.getTime();
-            length = Math.min(left, 2 * length);        // where a short piece was needed, so is the next one
         }
         throw noHeadway(system.getTime(), "this step had " + MOST_EVENTS + " impacts or changes of contact", end);
     }
@@ -135,15 +120,6 @@ final class EventSteps {
     private static SimulationException noHeadway(double time, String why, double end) {
         return new SimulationException(End.NO_HEADWAY, time, -1, "contacts make no headway: " + why + ", and "
                 + Digits.few(end - time) + " s of the step are left");
-    }
-
-    private boolean mayTurnWithin(double time) {
-        for (EventRule rule : rules) {                  // no stream, since each step asks
-            if (rule.mayTurnWithin(system, time)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Moves by h to a time, or to the first event before that; returns whether an event ended it. */

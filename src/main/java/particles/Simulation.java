@@ -19,8 +19,6 @@ import particles.law.Violation;
 public final class Simulation {
     /** Times that differ by this fraction of deltaT are the same, but for round-off. */
     private static final double ROUNDING = 1e-6;
-    /** A part of a step that is longer than this is divided where the solver fails (relative to deltaT). */
-    private static final double SHORTEST_PART = 0x1p-6;
     /** The largest violation of a constraint in a run, relative to its scale. */
     private static final double WRONG = 0.1;
 
@@ -51,7 +49,7 @@ public final class Simulation {
         this.solver = solver.get();
         this.duration = Require.notNegative("the duration", duration);
         this.deltaT = Math.min(Require.positive("deltaT", deltaT), duration > 0 ? duration : deltaT);
-        this.eventSteps = new EventSteps(system, this.solver, solver, observers);
+        this.eventSteps = new EventSteps(system, this.deltaT, this.solver, solver, observers);
         constraints = new ConstraintCheck(this.deltaT * (1 + ROUNDING), duration);
         observers.add(constraints);
     }
@@ -141,6 +139,7 @@ public final class Simulation {
                     "a step of " + deltaT + " s no longer moves the clock at"
                     + " t = " + system.getTime(), null);
         }
+        eventSteps.begin();
         advanceTo(end);
         requireRight(constraints.getWorst());
     }
@@ -213,7 +212,7 @@ public final class Simulation {
         } catch (DESolverException e) {
             double rest = end - system.getTime();       // where the solver failed: after the last event, if any
             boolean isOfAll = e.getEntry() < 0;         // not of one number, which a blow-up overflows
-            if (isOfAll && rest > SHORTEST_PART * deltaT && eventSteps.mayDivide()) {
+            if (isOfAll && eventSteps.mayDivide(rest)) {
                 divisions++;
                 solver.reset();
                 step(end - rest / 2, 0);

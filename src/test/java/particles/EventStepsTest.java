@@ -119,7 +119,7 @@ class EventStepsTest {
         }
 
         @Override
-        public boolean mayTurnWithin(ParticleSystem system, double time) {
+        public boolean mayDivide(double length, double deltaT) {
             return near;
         }
     }
@@ -133,7 +133,7 @@ class EventStepsTest {
         List<Double> acts = new ArrayList<>();
         Sequence contact = new Sequence(n -> n == 0 ? 0.01 : Double.POSITIVE_INFINITY) {
             @Override
-            public boolean mayDivide() {
+            public boolean mayDivide(double length, double deltaT) {
                 return true;
             }
 
@@ -153,8 +153,8 @@ class EventStepsTest {
     void aStepIsNotDividedForEver() {
         Sequence contact = new Sequence(n -> Double.POSITIVE_INFINITY) {
             @Override
-            public boolean mayDivide() {
-                return true;
+            public boolean mayDivide(double length, double deltaT) {
+                return length > deltaT / 64;
             }
         };
         assertEquals(0.2, run(contact, () -> new ShortSteps(0.1 / 63)).getOwnState()[0], 1e-14);

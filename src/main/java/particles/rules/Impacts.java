@@ -76,12 +76,6 @@ abstract class Impacts implements EventRule {
         forceKnown = false;
     }
 
-    /** {@inheritDoc} In contact: then which surfaces push and what friction stops are unknowns of a step. */
-    @Override
-    public final boolean mayDivide() {
-        return modes.isAnyTouching();
-    }
-
     /** The effects' forces in the present state. Clamped impacts evaluate them at most once in most steps. */
     final double[] forces() {
         if (!forceKnown) {

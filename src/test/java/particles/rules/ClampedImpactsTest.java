@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.EventRule;
 import particles.reactions.ContactModes.Mode;
 import particles.scene.ShortRun;
 
@@ -180,5 +181,21 @@ class ClampedImpactsTest {
         ShortRun pulled = run(0.01, 1, text);
         assertEquals(1, pulled.at(1), 1e-12);
         assertEquals(Mode.FREE, pulled.mode());
+    }
+
+    /**
+     * A step of 0.01 s at which a solver fails may be divided in contact, into 64 parts; with exact impacts only where
+     * friction may stop the particle, and then much further.
+     */
+    @ParameterizedTest
+    @CsvSource({"clamp, 1, 10, 0.01, false", "clamp, 0, 10, 1.6e-4, true", "clamp, 0, 10, 1.5e-4, false",
+            "exact, 0, 10, 0.01, false", "exact, 0, 0.001, 0.01, true", "exact, 0, 1e-9, 1e-9, true"})
+    void aFailedStepMayBeDividedInContact(String impact, double height, double speed, double length, boolean may) {
+        ShortRun run = ShortRun.of("rk4 " + impact + " 0.01 0", """
+                particles: [{id: p, position: [0, %s, 0], velocity: [%s, 0, 0]}]
+                rules: [ground: {friction: {law: coulomb, coefficient: 0.3, threshold: 0}}]
+                """.formatted(height, speed));
+        assertEquals(may, run.getSimulation().getRules().stream().filter(EventRule.class::isInstance)
+                .anyMatch(rule -> ((EventRule) rule).mayDivide(length, 0.01)));
     }
 }
