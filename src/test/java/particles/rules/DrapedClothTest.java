@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.scene.ShortRun;
@@ -39,15 +38,18 @@ class DrapedClothTest {
     }
 
     /**
-     * 900 particles without damping: whole steps have equations that Newton's method does not solve, and are divided.
-     * Measured: of 6.47 J, 4.110 J are left after 1.5 s, with rk4 and a deltaT of 0.001 s 4.099 J.
+     * 900 particles without damping. Backward Euler has whole steps whose equations Newton's method does not solve, and
+     * which are divided. Implicit midpoint takes shorter ones: it keeps vibrations that backward Euler damps, and at
+     * 1/60 s the same cloth, held by two corners and touching nothing, gains 690 J in 1 s with it.
+     * Measured: of 6.47 J, 4.110 and 4.104 J are left after 1.5 s, with rk4 and a deltaT of 0.001 s 4.099 J.
      */
-    @Test
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 0.016666667", "implicit-midpoint, 0.004"})
     @Tag("hard")
-    void backwardEulerDrapesAFineCloth() {
+    void implicitSolversDrapeAFineCloth(String solver, double deltaT) {
         String fine = CLOTH.replace("columns: 12, rows: 12", "columns: 30, rows: 30")
                 .replaceAll(", damping: 0\\.[0-9]+", "");
-        ShortRun run = ShortRun.of("backward-euler clamp 0.016666667 1.5", fine);
+        ShortRun run = ShortRun.of(solver + " clamp " + deltaT + " 1.5", fine);
         assertEquals(energy(ShortRun.of("rk4 clamp 0.001 1.5", fine)), energy(run), 0.05);
         assertOutside(run);
     }
