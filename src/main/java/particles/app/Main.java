@@ -18,7 +18,6 @@ import particles.app.course.AutogradingCommand;
 import particles.app.course.GradeClassCommand;
 import particles.app.course.GradeCommand;
 import particles.app.course.SheetsCommand;
-import particles.app.experiments.ExperimentCommand;
 import particles.app.experiments.ReportCommand;
 import particles.app.experiments.SweepCommand;
 import particles.app.run.GalleryCommand;
@@ -78,11 +77,10 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     public static List<ProgramCommand> commands(StopRequest stop) {
-        List<ExperimentCommand> experiments = ReportCommand.experiments();
         List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, stop),
                 new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
-        commands.addAll(experiments);
-        commands.addAll(List.of(new SweepCommand(), new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
+        commands.addAll(ReportCommand.experiments());
+        commands.addAll(List.of(new SweepCommand(), new ReportCommand(), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
                 new ExerciseCommand(), new GradeCommand(Path.of("."), exercises()), new GradeClassCommand(),

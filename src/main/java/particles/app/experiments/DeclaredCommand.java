@@ -21,10 +21,10 @@ public final class DeclaredCommand extends ExperimentCommand {
     private final Experiment experiment;
 
     @Mixin
-    private final SceneOptions options = new SceneOptions();
+    private final SceneOptions options;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")
-    private String typedSolvers;
+    private String solverNames;
 
     @Option(names = "--problem", paramLabel = "NAMES", description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
@@ -36,20 +36,31 @@ public final class DeclaredCommand extends ExperimentCommand {
 
     /** @param experiment the experiment */
     DeclaredCommand(Experiment experiment) {
+        this(experiment, new SceneOptions(), experiment.solvers());
+    }
+
+    /**
+     * @param experiment the experiment
+     * @param options    the scene, as typed
+     * @param solvers    the names of the solvers, as typed
+     */
+    DeclaredCommand(Experiment experiment, SceneOptions options, String solvers) {
         this.experiment = experiment;
+        this.options = options;
+        solverNames = solvers;
     }
 
     @Override
     public String name() {
-        return experiment.command;
+        return experiment.command();
     }
 
     /** Called by the parser when it knows all options. */
     @Spec
     void declare(CommandSpec spec) {
-        spec.name(name()).usageMessage().description(experiment.about);
+        spec.name(name()).usageMessage().description(experiment.about());
         for (String option : List.of("--scene", "--set", "--solvers", "--problem")) {
-            if (!experiment.options.contains(option)) {
+            if (!experiment.options().contains(option)) {
                 spec.remove(spec.findOption(option));
             }
         }
@@ -57,11 +68,10 @@ public final class DeclaredCommand extends ExperimentCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
-        options.read(mistakes, this, experiment.scene);
-        // the parser leaves an option null that was not given
-        solvers = mistakes.value(() -> solverChoices(typedSolvers == null ? experiment.solvers : typedSolvers));
+        options.read(mistakes, this, experiment.scene());
+        solvers = mistakes.value(() -> solverChoices(solverNames));
         problems = mistakes.value(() -> names("problem", "problem", problem, WorkProblem.NAMES));
-        run = mistakes.value(() -> experiment.plan.of(this));
+        run = mistakes.value(() -> experiment.plan().of(this));
         super.read(mistakes);
     }
 
@@ -88,6 +98,6 @@ public final class DeclaredCommand extends ExperimentCommand {
 
     /** @return the results, under the name of the experiment and with what it teaches */
     ResultPage page(String title, List<Picture> pictures, List<DataTable> tables) {
-        return new ResultPage(name(), title, List.of(experiment.teaches), pictures, tables);
+        return new ResultPage(name(), title, List.of(experiment.teaches()), pictures, tables);
     }
 }

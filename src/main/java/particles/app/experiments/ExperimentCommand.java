@@ -6,6 +6,7 @@ import particles.app.cli.ChartOptions;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.ProgressListener;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
 import particles.output.report.TableText;
@@ -30,7 +31,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
 
     @Override
     public void run(PrintWriter lines) {
-        ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
+        ResultPage page = writeInto(getFolder(), charts.format(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
         if (page.tables().get(0).rows().size() <= MOST_ROWS) {
@@ -45,12 +46,13 @@ public abstract class ExperimentCommand extends ResultsCommand {
      * Measures, and writes the results.
      *
      * @param path     the folder
+     * @param format   the format of the charts
      * @param progress receives the progress
      * @return the results
      */
-    final ResultPage writeInto(Path path, ProgressListener progress) {
+    final ResultPage writeInto(Path path, ChartFormat format, ProgressListener progress) {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
-            return measure(folder, progress).write(folder, charts.format());
+            return measure(folder, progress).write(folder, format);
         }
     }
 }

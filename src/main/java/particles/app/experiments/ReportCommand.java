@@ -3,7 +3,6 @@ package particles.app.experiments;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -13,6 +12,7 @@ import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
 import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputException;
@@ -22,7 +22,6 @@ import particles.output.report.Report.Section;
 import particles.output.report.ResultPage;
 import particles.scene.format.SceneFormat;
 import particles.spec.messages.InvalidInputException;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -32,10 +31,9 @@ import picocli.CommandLine.Option;
         "Runs all experiments, of the course or of a scene, and writes one HTML page.")
 public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
-    private static final String SCENE_OPTION = "--scene";
     private static final int MOST_LINES = 8;
 
-    private final List<ExperimentCommand> experiments;
+    private final List<Experiment> experiments;
 
     @Mixin
     private final ChartOptions charts = new ChartOptions();
@@ -54,16 +52,21 @@ public final class ReportCommand extends ResultsCommand {
             + " that look at it).")
     private String names = "all";
 
-    private Supplier<List<ExperimentCommand>> chosen;
+    private Supplier<List<Experiment>> chosen;
+
+    /** Creates the report on the experiments of the course. */
+    public ReportCommand() {
+        this(Experiment.ALL);
+    }
 
     /** @param experiments all experiments, in the order of the report */
-    public ReportCommand(List<ExperimentCommand> experiments) {
+    ReportCommand(List<Experiment> experiments) {
         this.experiments = experiments;
     }
 
-    /** @return the experiments of the course, in the order of the report */
-    public static List<ExperimentCommand> experiments() {
-        return Arrays.stream(Experiment.values()).map(one -> (ExperimentCommand) new DeclaredCommand(one)).toList();
+    /** @return the commands of these experiments */
+    public static List<ProgramCommand> experiments() {
+        return Experiment.ALL.stream().<ProgramCommand>map(DeclaredCommand::new).toList();
     }
 
     @Override
@@ -80,7 +83,7 @@ public final class ReportCommand extends ResultsCommand {
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             sections = progress.parts(chosen.get(), (experiment, part) ->
-                    section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
+                    section(experiment, (done, what) -> part.reached(done, experiment.command() + ", " + what)));
             new Report((scene.hasScene() ? scene.scene().title() + ": what" : "What")
                     + " accuracy costs", text(), sections, "Made by gradle report of DESolver " + Program.VERSION + ".")
                     .write(folder, FILE);
@@ -93,16 +96,12 @@ public final class ReportCommand extends ResultsCommand {
         lines.println("all on one page: " + getFolder().resolve(FILE));
     }
 
-    private List<ExperimentCommand> readNames() {
+    private List<Experiment> readNames() {
         List<String> wanted = names("experiments", "experiment", names,
-                experiments.stream().map(ExperimentCommand::name).toList());
+                experiments.stream().map(Experiment::command).toList());
         boolean onlyOfScene = scene.hasScene() && names.strip().equals("all");
-        return experiments.stream().filter(experiment -> wanted.contains(experiment.name())
-                && (!onlyOfScene || looksAtScene(new CommandLine(experiment)))).toList();
-    }
-
-    private static boolean looksAtScene(CommandLine experiment) {
-        return experiment.getCommandSpec().findOption(SCENE_OPTION) != null;
+        return experiments.stream().filter(experiment -> wanted.contains(experiment.command())
+                && (!onlyOfScene || experiment.looksAtScene())).toList();
     }
 
     /** The report on a scene goes to a folder of its own. */
@@ -113,41 +112,33 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     /** The section of an experiment, also if it fails; a full disk ends the report. */
-    private Section section(ExperimentCommand experiment, ProgressListener progress) {
-        CommandLine line = new CommandLine(experiment);
-        Path into = getFolder().resolve(experiment.name());
+    private Section section(Experiment experiment, ProgressListener progress) {
+        Path into = getFolder().resolve(experiment.command());
         Optional<ResultPage> page = Optional.empty();
         Optional<String> failure = Optional.empty();
         progress.reached(0, "begins");
         try {
-            line.setExpandAtFiles(false).parseArgs(options(line));
-            List<String> mistakes = experiment.mistakes(getStyle());
+            DeclaredCommand command = command(experiment);
+            List<String> mistakes = command.mistakes(getStyle());
             if (!mistakes.isEmpty()) {                      // for example, nothing in the scene limits a step
                 throw new InvalidInputException(mistakes);
             }
-            page = Optional.of(experiment.writeInto(into, progress));
+            page = Optional.of(command.writeInto(into, charts.format(), progress));
         } catch (OutputException e) {
             throw e;
         } catch (RuntimeException e) {
             failure = Optional.of(Failures.lines(e).stream().limit(MOST_LINES).map(String::strip)
                     .collect(Collectors.joining("\n")));
         }
-        return new Section(experiment.name(), String.join(" ", line.getCommandSpec().usageMessage().description()),
-                into, page, failure);
+        return new Section(experiment.command(), experiment.about(), into, page, failure);
     }
 
-    /** The options of an experiment; experiments on a scene get the report's scene. */
-    private String[] options(CommandLine experiment) {
-        List<String> options = new ArrayList<>(charts.arguments());
-        if (looksAtScene(experiment)) {
-            if (scene.hasScene()) {
-                options.addAll(List.of(SCENE_OPTION + "=" + scene.getTypedScene(), "--set=" + scene.getTypedSet()));
-            }
-            if (scene.hasScene() || solvers.isPresent()) {      // all would take long on large scenes
-                options.add("--solvers=" + solvers.orElse(Experiment.FIVE));
-            }
-        }
-        return options.toArray(String[]::new);
+    /** Experiments on a scene get the report's scene and solvers. */
+    private DeclaredCommand command(Experiment experiment) {
+        return experiment.looksAtScene() && (scene.hasScene() || solvers.isPresent())
+                ? new DeclaredCommand(experiment, scene.hasScene() ? scene : new SceneOptions(),
+                        solvers.orElse(Experiment.FIVE))    // all would take long on large scenes
+                : new DeclaredCommand(experiment);
     }
 
     private List<String> text() {

@@ -10,24 +10,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.Screen;
-import particles.experiments.runs.ProgressListener;
-import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.view.DataTable;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 class ReportCommandTest {
     private static final RuntimeException ODD = new IllegalStateException("odd");
@@ -35,49 +27,19 @@ class ReportCommandTest {
     @TempDir
     Path top;
 
-    /** Shows which scene it was given. */
-    @Command(name = "shows", description = "Shows.")
-    private static final class Shows extends ExperimentCommand {
-        @Mixin
-        private final SceneOptions options = new SceneOptions();
-
-        @Option(names = "--solvers")
-        private String solvers = "radau";
-
-        private Supplier<List<SolverChoice>> chosen;
-
-        @Override
-        protected void read(Mistakes mistakes) {
-            options.read(mistakes, this, "one-spring");
-            chosen = mistakes.value(() -> solverChoices(solvers));
-            super.read(mistakes);
-        }
-
-        @Override
-        protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-            progress.reached(0.5, "half");
-            return new ResultPage("shows", options.scene().title() + " by "
-                    + chosen.get().size(), List.of("So it is."), List.of(),
-                    List.of(new DataTable("t", "Numbers", List.of(DataTable.column("x")), List.of(List.of(0.125)))));
-        }
-    }
-
-    @Command(name = "fails", description = "Fails.")
-    private static final class Fails extends ExperimentCommand {
-        private final RuntimeException why;
-
-        Fails(RuntimeException why) {
-            this.why = why;
-        }
-
-        @Override
-        protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-            throw why;
-        }
-    }
+    /** Shows which scene and how many solvers it was given. */
+    private static final Experiment SHOWS = new Experiment("shows", "Shows.", "So it is.", Set.of("--scene"),
+            "one-spring", "radau", asked -> (folder, progress) -> {
+                progress.reached(0.5, "half");
+                return asked.page(asked.scene().title() + " by " + asked.solvers().size(), List.of(), List.of(
+                        new DataTable("t", "Numbers", List.of(DataTable.column("x")), List.of(List.of(0.125)))));
+            });
 
     private Screen report(ExitCode expected, RuntimeException why, String... options) {
-        Screen screen = Screen.of(List.of(new ReportCommand(List.of(new Fails(why), new Shows()))), OptionStyle.GRADLE,
+        Experiment fails = new Experiment("fails", "Fails.", "", Set.of(), "", "all", asked -> (folder, progress) -> {
+            throw why;
+        });
+        Screen screen = Screen.of(List.of(new ReportCommand(List.of(fails, SHOWS))), OptionStyle.GRADLE,
                 Stream.concat(Stream.of("report", "--out=" + top.resolve("report")), Stream.of(options))
                         .toArray(String[]::new));
         assertEquals(expected, screen.code(), screen.err());
@@ -108,8 +70,8 @@ class ReportCommandTest {
     /** Its limits are measured on springs, as they are in a scene. */
     @Test
     void aClassOfYourOwnHasItsLimits() throws IOException {
-        Screen screen = Screen.of(List.of(new ReportCommand(List.of(new DeclaredCommand(Experiment.STABILITY)))),
-                OptionStyle.GRADLE, "report", "--out=" + top.resolve("report"),
+        Screen screen = Screen.of(List.of(new ReportCommand()), OptionStyle.GRADLE, "report",
+                "--out=" + top.resolve("report"), "--experiments=stability",
                 "--solvers=rk4,particles.experiments.stability.StabilityLimitsTest$Heun");
         assertEquals(ExitCode.DONE, screen.code(), screen.err());
         assertHas(page(), "StabilityLimitsTest$Heun", "always grows: 1.25e-5 per step");
