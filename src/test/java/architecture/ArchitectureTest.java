@@ -99,7 +99,7 @@ class ArchitectureTest {
             particles.experiments.race:    deSolvers.text particles particles.energy particles.experiments.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
-            particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.scene
+            particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
                                            particles.scene.format particles.view
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.implicit deSolvers.linear
                                            deSolvers.problems deSolvers.text particles particles.experiments.runs

@@ -4,21 +4,18 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import particles.app.experiments.Experiment.Run;
 import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
 import particles.experiments.phase.Coordinate;
 import particles.experiments.phase.PhasePortraits;
-import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.law.Particles;
 import particles.output.report.Picture;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.SceneDescription;
-import particles.view.Chart;
 import particles.view.Panel;
 import particles.view.Series;
 
@@ -61,13 +58,9 @@ final class StateSpaceExperiments {
                     plot.map(phase -> Coordinate.values()[phase.axis()]), plot.flatMap(Phase::about), progress);
             String step = ", deltaT = " + Digits.exact(scene.deltaT()) + " s";
             String title = scene.title() + ": phase portraits" + step;
-            List<Chart> charts = portraits.portraits().stream().map(Portrait::chart).toList();
-            List<Series> scale = charts.stream().flatMap(chart -> chart.series().stream()).toList();
-            List<Panel> panels = IntStream.range(0, charts.size()).mapToObj(k -> {
-                Portrait portrait = portraits.portraits().get(k);
-                return Panel.phase(portrait.solver() + step, charts.get(k).scaledTo(scale), Optional.empty())
-                        .answered(portrait.answer()).named(portrait.solver());
-            }).toList();
+            List<Series> scale = portraits.portraits().stream().flatMap(one -> one.chart().series().stream()).toList();
+            List<Panel> panels = portraits.portraits().stream().map(one -> Panel.phase(one.solver() + step,
+                    one.chart().scaledTo(scale), Optional.empty()).answered(one.answer()).named(one.solver())).toList();
             return asked.page(title, List.of(Picture.panels("phase-plots", """
                     The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the end of a \
                     run that stopped, or the place where a path leaves the picture.""", title, panels)),

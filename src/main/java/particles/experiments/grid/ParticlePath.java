@@ -1,10 +1,10 @@
 package particles.experiments.grid;
 
-import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.experiments.runs.FollowedParticle;
 import particles.law.Particles;
 
 /**
@@ -34,7 +34,8 @@ final class ParticlePath implements Observer {
 
     private final Coordinate coordinate;
     private final String particle;
-    private int index = -1;                             // -1 once the particle is gone
+    private final FollowedParticle followed;
+    private int index;                                  // -1 once the particle is gone
     private double last;
     private double least = Double.POSITIVE_INFINITY;
     private double most = Double.NEGATIVE_INFINITY;
@@ -47,11 +48,12 @@ final class ParticlePath implements Observer {
     ParticlePath(Coordinate coordinate, String particle) {
         this.coordinate = coordinate;
         this.particle = particle;
+        followed = new FollowedParticle(particle);
     }
 
     @Override
     public void started(ParticleSystem system) {
-        find(system);
+        index = followed.in(system.getParticles());
         if (index < 0) {
             throw new IllegalArgumentException("particle '" + particle + "' does not exist");
         }
@@ -74,19 +76,11 @@ final class ParticlePath implements Observer {
         if (index < 0) {
             return;
         }
-        find(system);
+        index = followed.in(system.getParticles());
         if (index < 0) {
             last = Double.NaN;
         } else {
             add(coordinate.of(system.getOwnState(), Particles.STRIDE * index));
-        }
-    }
-
-    /** Particles behind one that is removed move up. */
-    private void find(ParticleSystem system) {
-        Particles all = system.getParticles();
-        if (index < 0 || index >= all.count() || !all.id(index).equals(particle)) {
-            index = IntStream.range(0, all.count()).filter(i -> all.id(i).equals(particle)).findFirst().orElse(-1);
         }
     }
 

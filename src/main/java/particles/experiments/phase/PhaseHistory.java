@@ -6,10 +6,10 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.StridedRecorder;
+import particles.experiments.runs.FollowedParticle;
 import particles.law.Particles;
 import particles.view.Chart;
 import particles.view.Look;
@@ -27,13 +27,14 @@ public final class PhaseHistory extends StridedRecorder {
     private static final int MOST_STATES = 1 << 15;
     /** A path of at most this number of states shows each of them. */
     private static final int FEW = 150;
-    /** Numbers of each state that is kept: position, velocity, angle, angular velocity, and 1 after a jump. */
-    private static final int COLUMNS = Particles.STRIDE + 3;
+    /** The numbers of each state: a coordinate each, and their velocities. */
+    private static final int COORDINATES = Coordinate.values().length;
+    private static final double[] CUT = DoubleStream.generate(() -> Double.NaN).limit(2 * COORDINATES).toArray();
 
     private final String id;
     private final Optional<String> about;
-    private int index;
-    private int pivot;
+    private final FollowedParticle particle;
+    private final Optional<FollowedParticle> pivot;
     private double angle;
     private double rate;
     private final List<double[]> path = new ArrayList<>();
@@ -49,42 +50,32 @@ public final class PhaseHistory extends StridedRecorder {
         thinned = steps > MOST_STATES;
         this.id = id;
         this.about = about;
+        particle = new FollowedParticle(id);
+        pivot = about.map(FollowedParticle::new);
     }
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         int size = path.size();
         super.changed(system, rule);
-        if (size > 0 && path.size() > size && !Arrays.equals(path.get(size), 0, Particles.STRIDE,
-                path.get(size - 1), 0, Particles.STRIDE)) {
-            path.get(size)[COLUMNS - 1] = 1;
+        if (!thinned && size > 0 && path.size() > size && !Arrays.equals(path.get(size), path.get(size - 1))) {
+            path.add(size, CUT);
         }
     }
 
-    /** Adds a state. Births and deaths may move the particle to another index; when it is removed, its path ends. */
+    /** Adds a state. When the particle is removed, its path ends. */
     @Override
     protected void record(ParticleSystem system, double[] state, double time) {
-        Particles particles = system.getParticles();
-        index = find(particles, id, index);
-        pivot = about.isPresent() ? find(particles, about.get(), pivot) : index;
-        if (index == particles.count() || pivot == particles.count()) {
+        int x = Particles.STRIDE * particle.in(system.getParticles());
+        int centre = pivot.map(one -> Particles.STRIDE * one.in(system.getParticles())).orElse(x);
+        if (x < 0 || centre < 0) {
             return;
         }
-        if (about.isPresent()) {
-            turn(state, Particles.STRIDE * index, Particles.STRIDE * pivot);
+        if (pivot.isPresent()) {
+            turn(state, x, centre);
         }
-        double[] kept = Arrays.copyOfRange(state, Particles.STRIDE * index, Particles.STRIDE * index + COLUMNS);
-        kept[Particles.STRIDE] = angle;
-        kept[Particles.STRIDE + 1] = rate;
-        kept[COLUMNS - 1] = 0;
-        path.add(kept);
-    }
-
-    /** @return the index of a particle, usually the same as before; the number of particles if it was removed */
-    private static int find(Particles particles, String id, int before) {
-        return before < particles.count() && particles.id(before).equals(id) ? before
-                : IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)).findFirst()
-                .orElse(particles.count());
+        path.add(new double[] {state[x], state[x + 1], state[x + 2], angle, state[x + 3], state[x + 4], state[x + 5],
+            rate});
     }
 
     /** Finds the angle of the line from the pivot, within half a turn of the angle before, and its rate. */
@@ -114,25 +105,37 @@ public final class PhaseHistory extends StridedRecorder {
     }
 
     private double[] column(int entry) {
-        return path.stream().flatMapToDouble(state -> state[COLUMNS - 1] == 1 && !thinned
-                ? DoubleStream.of(Double.NaN, state[entry]) : DoubleStream.of(state[entry])).toArray();
+        return path.stream().mapToDouble(state -> state[entry]).toArray();
     }
 
     /**
      * @param axis the component of the motion
      * @param look the look of the path
      * @param name the name of the path, such as its solver's
-     * @return the path, cut at jumps, and its first and last state once more as marks of their own
+     * @return the path, cut at jumps
      * @throws IllegalStateException if no run with this particle was observed
      */
-    public Chart chart(Coordinate axis, Look look, String name) {
+    Series path(Coordinate axis, Look look, String name) {
         if (path.isEmpty()) {
             throw new IllegalStateException("no run with a particle '" + id + "' was observed");
         }
-        double[] x = column(axis == Coordinate.ANGLE ? Particles.STRIDE : axis.ordinal());
-        double[] v = column(axis == Coordinate.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
+        return new Series(look, name, thinned ? Mark.POINTS : Mark.LINE, column(axis.ordinal()),
+                column(COORDINATES + axis.ordinal()));
+    }
+
+    /**
+     * @param axis the component of the motion
+     * @param look the look of the path
+     * @param name the name of the path, such as its solver's
+     * @return the path, and its first and last state once more as marks of their own
+     * @throws IllegalStateException if no run with this particle was observed
+     */
+    public Chart chart(Coordinate axis, Look look, String name) {
+        Series line = path(axis, look, name);
+        double[] x = line.x();
+        double[] v = line.y();
         String whose = " of '" + id + "'" + (axis == Coordinate.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
-        Mark mark = thinned ? Mark.POINTS : path.size() <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
+        Mark mark = path.size() <= FEW ? Mark.LINE_AND_POINTS : line.mark();
         return new Chart(axis.position(whose), axis.velocity(whose), List.of(new Series(look, name, mark, x, v),
                 start(x[0], v[0]), Series.point(Look.MARK, "end", Mark.POINTS, x[x.length - 1], v[x.length - 1])));
     }

@@ -69,9 +69,9 @@ public final class PhasePortraits {
             return new Run(setting, path, SceneRun.run(SceneRun.build(scene, setting), List.of(path)));
         });
         Coordinate axis = wanted.orElseGet(runs.get(0).path()::widestAxis);
-        Series exact = path(runs.get(0), axis, Look.REFERENCE, REFERENCE);
+        Series exact = runs.get(0).path().path(axis, Look.REFERENCE, REFERENCE);
         List<Portrait> portraits = runs.subList(1, runs.size()).stream().map(run -> new Portrait(particle, axis,
-                path(run, axis, run.setting().solver().look(), run.setting().label()), exact, run.outcome()))
+                run.path().path(axis, run.setting().solver().look(), run.setting().label()), exact, run.outcome()))
                 .toList();
         List<Portrait> rows = new ArrayList<>(portraits);
         rows.add(new Portrait(particle, axis, exact, exact, runs.get(0).outcome()));
@@ -83,11 +83,6 @@ public final class PhasePortraits {
                 column(axis.velocity(" error").label(), 3, row -> row.error(Series::y)),
                 column("evaluations", row -> row.outcome().evaluations()),
                 column("what went wrong", row -> row.outcome().failure().orElse(""))).withoutEmptyColumns());
-    }
-
-    private static Series path(Run run, Coordinate axis, Look look, String name) {
-        Series path = run.path().chart(axis, look, name).series().get(0);
-        return new Series(look, name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
     }
 
     private static double last(double[] values) {
