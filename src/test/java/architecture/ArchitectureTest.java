@@ -56,7 +56,7 @@ class ArchitectureTest {
                                            particles.spec particles.spec.messages particles.teaching
                                            particles.teaching.exercises particles.view com.google.gson
                                            org.apache.commons picocli
-            particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
+            particles.app.experiments:     deSolvers.catalog deSolvers.text particles.app.cli
                                            particles.app.run particles.app.student particles.experiments.energy
                                            particles.experiments.grid particles.experiments.lecture
                                            particles.experiments.phase particles.experiments.race

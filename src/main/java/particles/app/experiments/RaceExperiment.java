@@ -2,26 +2,21 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
-import particles.Observer;
 import particles.app.experiments.Experiment.Run;
 import particles.app.run.CameraFinder;
 import particles.experiments.race.Race;
-import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.output.animation.GifAnimation;
 import particles.output.animation.RaceFilm;
 import particles.output.charts.ChartPage;
-import particles.output.files.OutputFolder;
 import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.scene.Scene;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.view.Axis;
@@ -51,14 +46,34 @@ final class RaceExperiment {
             throw asked.wrong("solvers", solvers.size() + " solvers are too many; at most " + MOST_SOLVERS);
         }
         int frames = (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * duration)));
+        Camera camera = CameraFinder.find(scene);
+        Frames size = scene.output().frames();
+        // panels fill the page, unless the scene's frames are wider
+        double aspect = Math.max(RaceFilm.aspect(solvers.size()), (double) size.width() / size.height());
         return (folder, progress) -> {
-            try (RacePictures pictures = new RacePictures(scene, solvers.size(), frames / duration)) {
-                Result race = new Race(scene, solvers, frames).run(pictures, progress.part(0, 0.5));
+            try (RaceFilm film = new RaceFilm(solvers.size(), aspect, frames / duration, PLAYBACK)) {
+                Result race = new Race(scene, solvers, frames).run((built, solver) -> List.of(film.watch(
+                        solver.map(SolverChoice::look), new FrameSetup(camera, scene.drawing().look(),
+                        built.scenery(), "", ""))), progress.part(0, 0.5));
                 ProgressListener drawing = progress.part(0.5, 1);
-                return page(asked, race, pictures.write(folder, race, part ->
-                        drawing.reached(part, "drawing the animation")));
+                Chart strip = new Chart(Axis.TIME, Axis.log("|energy error|", "%"), RaceCharts.energy(race).series());
+                film.write(folder, head(race), strip, part -> drawing.reached(part, "drawing the animation"));
+                return page(asked, race, film.sheet(head(race), strip));
             }
         };
+    }
+
+    private static RaceFilm.Head head(Result race) {
+        return new RaceFilm.Head(RaceCharts.title(race), "Beside each solver: its distance from the grey ghost, root"
+                + " mean square. The ghost is " + Race.REFERENCE + ".", race.lanes().stream().map(lane ->
+                new RaceFilm.Words(lane.label(), lane.look(), RaceCharts.mean(lane), step(lane.drift().setting())
+                + ", " + lane.drift().outcome().evaluations() + " evaluations", lane.left())).toList());
+    }
+
+    /** Two digits, as there is little room; the table has the others. */
+    private static String step(Setting setting) {
+        return setting.tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
+                "deltaT = " + Digits.few(setting.deltaT(), 2) + " s");
     }
 
     private static ResultPage page(DeclaredCommand asked, Result race, ChartPage sheet) {
@@ -74,59 +89,5 @@ final class RaceExperiment {
                                 RaceCharts.energy(race)).filter(chart -> chart.series().stream().anyMatch(series ->
                                 series.x().length > 0)).toList()))),
                 List.of(RaceCharts.table(race)));
-    }
-
-    /** Watches a race, and makes its film. Panels fill the page, unless the scene's frames are wider. */
-    private static final class RacePictures implements Race.ObserverFactory, AutoCloseable {
-        private final Camera camera;
-        private final RaceFilm film;
-
-        /**
-         * @param scene  the scene
-         * @param panels the number of solvers
-         * @param rate   the number of frames per second of simulated time (1/s)
-         */
-        RacePictures(SceneDescription scene, int panels, double rate) {
-            camera = CameraFinder.find(scene);
-            Frames frames = scene.output().frames();
-            film = new RaceFilm(panels, Math.max(RaceFilm.aspect(panels), (double) frames.width() / frames.height()),
-                    rate, PLAYBACK);
-        }
-
-        @Override
-        public List<Observer> of(Scene scene, Optional<SolverChoice> solver) {
-            return List.of(film.watch(solver.map(SolverChoice::look), new FrameSetup(camera,
-                    scene.description().drawing().look(), scene.scenery(), "", "")));
-        }
-
-        /**
-         * Writes the film.
-         *
-         * @param folder   the output folder
-         * @param race     the result of the race
-         * @param progress receives the progress
-         * @return the page with its end
-         */
-        ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
-            List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
-                    lane.label(), lane.look(), RaceCharts.mean(lane), step(lane) + ", "
-                    + lane.drift().outcome().evaluations() + " evaluations", lane.left())).toList();
-            RaceFilm.Head head = new RaceFilm.Head(RaceCharts.title(race), "Beside each solver: its distance from the"
-                    + " grey ghost, root mean square. The ghost is " + Race.REFERENCE + ".", words);
-            Chart strip = new Chart(Axis.TIME, Axis.log("|energy error|", "%"), RaceCharts.energy(race).series());
-            film.write(folder, head, strip, progress);
-            return film.sheet(head, strip);
-        }
-
-        /** Two digits, as there is little room; the table has the others. */
-        private static String step(Lane lane) {
-            return lane.drift().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
-                    "deltaT = " + Digits.few(lane.drift().setting().deltaT(), 2) + " s");
-        }
-
-        @Override
-        public void close() {
-            film.close();
-        }
     }
 }
