@@ -92,8 +92,8 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.experiments.stability particles.law
                                            particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view
-            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems
-                                           particles.experiments.runs particles.view org.hipparchus
+            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems particles.view
+                                           org.hipparchus
             particles.experiments.phase:   deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene.format particles.view
             particles.experiments.race:    deSolvers.text particles particles.energy particles.experiments.energy

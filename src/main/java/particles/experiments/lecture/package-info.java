@@ -1,4 +1,4 @@
 /**
- * The slides' own figures, and the lecture's exercise on the cost of RK4 against midpoint.
+ * The slides' own figures.
  */
 package particles.experiments.lecture;

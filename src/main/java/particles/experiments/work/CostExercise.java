@@ -1,16 +1,16 @@
-package particles.experiments.lecture;
+package particles.experiments.work;
 
 import static particles.view.DataTable.column;
 
-import deSolvers.catalog.SolverCatalog;
-import deSolvers.problems.Oscillator;
 import java.util.List;
+import java.util.function.IntFunction;
 import particles.experiments.runs.FewestSteps;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.WorkPrecision.Run;
 import particles.view.DataTable;
 
 /** The lecture's exercise: "Estimate cost of RK4 versus midpoint for similar accuracy", on x'' = -x over 100 s. */
 public final class CostExercise {
-    private static final double DURATION = 100;
     private static final int MOST_STEPS = 1 << 24;
     private static final List<Double> ERRORS = List.of(1e-1, 1e-2, 1e-3, 1e-4, 1e-6);
 
@@ -27,21 +27,16 @@ public final class CostExercise {
 
     /** @return the costs for errors from 0.1 to one in a million */
     public static List<Cost> solve() {
-        return ERRORS.stream().map(error -> new Cost(error, 2 * steps("midpoint", error), 4 * steps("rk4", error)))
-                .toList();
+        WorkProblem oscillator = WorkProblem.of("oscillator");
+        return ERRORS.stream().map(error -> new Cost(error, fewest(oscillator, "midpoint", error),
+                fewest(oscillator, "rk4", error))).toList();
     }
 
-    /** The fewest steps that reach the error; in this range the error falls with each additional step. */
-    private static long steps(String solver, double error) {
-        return FewestSteps.find(200, MOST_STEPS, 1, steps -> error(solver, steps) <= error);
-    }
-
-    private static double error(String solver, int steps) {
-        Oscillator oscillator = new Oscillator();
-        oscillator.step(SolverCatalog.create(solver), steps, DURATION / steps);
-        double[] state = oscillator.getState();
-        double[] exact = oscillator.exactState(DURATION);
-        return Math.hypot(state[0] - exact[0], state[1] - exact[1]);
+    /** The evaluations of the fewest steps that reach the error; in this range it falls with each additional step. */
+    private static long fewest(WorkProblem problem, String solver, double error) {
+        IntFunction<Run> run = steps -> WorkPrecision.run(problem, SolverChoice.of(solver), steps, Double.NaN);
+        return run.apply(FewestSteps.find(200, MOST_STEPS, 1, steps -> run.apply(steps).error() <= error))
+                .evaluations();
     }
 
     /**

@@ -121,7 +121,7 @@ public final class WorkPrecision {
         return !solver.adaptive() || solver.implicit() && problem.isStiff();
     }
 
-    private static Run run(WorkProblem problem, SolverChoice solver, int steps, double tolerance) {
+    static Run run(WorkProblem problem, SolverChoice solver, int steps, double tolerance) {
         double deltaT = problem.duration() / steps;
         double all = 0;
         int runs = 0;

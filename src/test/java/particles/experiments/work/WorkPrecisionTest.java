@@ -12,10 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.experiments.lecture.CostExercise;
-import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.CostExercise.Cost;
 import particles.experiments.work.WorkPrecision.Run;
 import particles.view.Chart;
 
