@@ -28,7 +28,7 @@ public record Series(Look look, String name, Mark mark, double[] x, double[] y, 
         LINE,
         /** A wide pale line, below others that may run along it. */
         BAND,
-        /** Wide pale stripes that touch: an area. */
+        /** A pale area: the points that an odd number of closed lines go around. */
         FILL,
         /** Points without a line. */
         POINTS,

@@ -11,7 +11,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import particles.app.experiments.Experiment.Run;
-import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.SolverStability;
 import particles.experiments.stability.Spectrum;
@@ -19,8 +18,6 @@ import particles.experiments.stability.Spectrum.Mode;
 import particles.output.report.Picture;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
-import particles.view.Panel;
-import particles.view.Series;
 
 /** The longest stable step, on every solver's real code or in one scene. */
 final class StabilityExperiment {
@@ -61,14 +58,11 @@ final class StabilityExperiment {
     /** Solvers of one group on one scale. */
     private static Picture regions(String group, List<SolverStability> solvers) {
         double far = solvers.stream().mapToDouble(SolverStability::reach).max().orElseThrow();
-        List<Panel> panels = solvers.stream().map(one -> one.region(far)).toList();
-        List<Series> scale = panels.get(0).charts().get(0).scale();
         return Picture.panels("region-" + group, """
                 Stable in the shaded region, which may go on beyond the frame. Above it, the largest stable deltaT \
                 omega of a critically damped spring, on the negative real axis, and of an undamped one, on the \
                 imaginary axis.""",
-                "Stability regions, measured: " + group, panels.stream().map(panel ->
-                panel.with(panel.title(), List.of(panel.charts().get(0).scaledTo(scale)))).toList());
+                "Stability regions, measured: " + group, solvers.stream().map(one -> one.region(far)).toList());
     }
 
     /** The longest stable step of each solver in a scene with at least one mode that does not grow by itself. */

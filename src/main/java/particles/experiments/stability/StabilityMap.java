@@ -3,9 +3,10 @@ package particles.experiments.stability;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import particles.view.Axis;
 import particles.view.Chart;
@@ -14,16 +15,14 @@ import particles.view.Series;
 import particles.view.Series.Mark;
 
 /**
- * The stability region in a square of the complex plane around 0, on a grid: its outline, and stripes that fill it.
- * Below the real axis it is mirrored, as R of the conjugate is the conjugate of R.
+ * The stability region in a square of the complex plane around 0, on a grid: its outline, also closed so that
+ * it can be filled. Below the real axis it is mirrored, as R of the conjugate is the conjugate of R.
  */
 final class StabilityMap {
     /** The number of bisections of a grid square by which a point on the outline is found. */
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
-    /** At least this many stripes fill the upper half of a chart, twice as many as their width needs. */
-    private static final int STRIPES = 100;
     private static final int COLUMNS = 128;
     /** The growth over many steps is measured at each point of the grid. */
     private static final int FEW_COLUMNS = 48;
@@ -32,6 +31,8 @@ final class StabilityMap {
     private final double far;
     private final double cell;
     private final boolean[][] grows;
+    /** The points on the outline that are known, by the edges of squares that they are on. */
+    private final Map<List<Integer>, double[]> borders = new HashMap<>();
 
     /**
      * @param modulus |R| at a point of the plane
@@ -55,7 +56,7 @@ final class StabilityMap {
         return new StabilityMap(amplification::at, far, amplification.manySteps() ? FEW_COLUMNS : COLUMNS);
     }
 
-    /** @return the square with these outlines, stripes or points, and the imaginary axis */
+    /** @return the square with these outlines, areas or points, and the imaginary axis */
     static Chart plane(double far, List<Series> shown) {
         double[] ends = {-far, far};
         List<Series> series = new ArrayList<>(shown);
@@ -69,10 +70,10 @@ final class StabilityMap {
         return modulus.applyAsDouble(x(column), y(row)) > 1 + Amplification.ROUNDING;
     }
 
-    /** Between two rows of the grid; asked only where these differ, because measuring it takes many steps. */
-    private boolean growsIn(int column, double row) {
-        int r = (int) row;
-        return grows[r][column] == grows[r + 1][column] ? grows[r][column] : growsAt(column, row);
+    /** At a point of the grid; beyond it every step grows, so that the region has an end. */
+    private boolean grows(int column, int row) {
+        int r = Math.abs(row);
+        return column < 0 || r >= grows.length || column >= grows[r].length || grows[r][column];
     }
 
     /** The x of a column, half a cell off the imaginary axis, so that |R| = 1 on it is a line between grid points. */
@@ -80,7 +81,7 @@ final class StabilityMap {
         return (column + 0.5) * cell - far;
     }
 
-    /** The y of a row; the first is the real axis, so that the outline ends at the limit for damping. */
+    /** The y of a row; the first is the real axis, where the outline has the limit for damping. */
     private double y(double row) {
         return Math.max(0, row - 0.5) * cell;
     }
@@ -91,48 +92,45 @@ final class StabilityMap {
      * @return the outline |R| = 1, broken where it is in pieces
      */
     Series outline(Look look, String name) {
+        return Series.of(look, name, Mark.LINE, lines(0));
+    }
+
+    /**
+     * @param look its look
+     * @return the region where a step does not grow
+     */
+    Series filled(Look look) {
+        return Series.of(look, "stable", Mark.FILL, lines(1));
+    }
+
+    /** The lines of the outline, each with a gap after it, in the grid and these squares beyond it. */
+    private List<double[]> lines(int beyond) {
         List<double[][]> pieces = new ArrayList<>();
-        for (int r = 0; r + 1 < grows.length; r++) {
-            for (int c = 0; c + 1 < grows[r].length; c++) {
+        int rows = grows.length - 1 + beyond;
+        for (int r = -rows; r < rows; r++) {
+            for (int c = -beyond; c + 1 < grows[0].length + beyond; c++) {
                 cross(r, c, pieces);
             }
         }
         List<double[]> line = new ArrayList<>();
         while (!pieces.isEmpty()) {
-            draw(chain(pieces), line);
+            line.addAll(chain(pieces));
+            line.add(new double[] {Double.NaN, Double.NaN});
         }
-        return Series.of(look, name, Mark.LINE, line);
+        return line;
     }
 
-    /**
-     * @param look its look
-     * @return the region where a step does not grow, as stripes from one side of the outline to the other
-     */
-    Series filled(Look look) {
-        List<double[]> line = new ArrayList<>();
-        double height = Math.min(1, far / STRIPES / cell);
-        int last = grows[0].length - 1;
-        for (double row = (1 + height) / 2; row < grows.length - 1; row += height) {
-            double[] start = {x(0), y(row)};
-            boolean grew = growsIn(0, row);
-            for (int c = 1; c <= last; c++) {
-                boolean grow = growsIn(c, row);
-                if (grow && !grew) {
-                    draw(List.of(start, border(c - 1, row, c, row)), line);
-                } else if (grew && !grow) {
-                    start = border(c, row, c - 1, row);
-                }
-                grew = grow;
-            }
-            if (!grew) {
-                draw(List.of(start, new double[] {x(last), y(row)}), line);
-            }
-        }
-        return Series.of(look, "stable", Mark.FILL, line);
+    /** The point on the outline between a stable point and one where a step grows; below the real axis its mirror. */
+    private double[] border(int[] stable, int[] growing) {
+        int r = Math.abs(stable[1]);
+        int growingR = Math.abs(growing[1]);
+        double[] above = borders.computeIfAbsent(List.of(stable[0], r, growing[0], growingR), edge ->
+                border(stable[0], r, growing[0], growingR));
+        return stable[1] + growing[1] < 0 ? new double[] {above[0], -above[1]} : above;
     }
 
-    /** Finds the point on the outline between a stable point and one where a step grows, by bisection. */
-    private double[] border(double c, double r, double growingC, double growingR) {
+    /** Found by bisection. */
+    private double[] border(int c, int r, int growingC, int growingR) {
         double still = 0;
         double growing = 1;
         for (int halving = 0; halving < HALVINGS; halving++) {
@@ -146,15 +144,6 @@ final class StabilityMap {
         return new double[] {x(c + still * (growingC - c)), y(r + still * (growingR - r))};
     }
 
-    /** Adds a line and its mirror image, each with a gap after it. */
-    private static void draw(Collection<double[]> chain, List<double[]> line) {
-        double[] gap = {Double.NaN, Double.NaN};
-        line.addAll(chain);
-        line.add(gap);
-        chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
-        line.add(gap);
-    }
-
     /**
      * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the
      * plane).
@@ -165,8 +154,8 @@ final class StabilityMap {
         for (int k = 0; k < 4; k++) {
             int[] p = corners[k];
             int[] q = corners[(k + 1) % 4];
-            if (grows[p[1]][p[0]] != grows[q[1]][q[0]]) {
-                cuts.add(grows[q[1]][q[0]] ? border(p[0], p[1], q[0], q[1]) : border(q[0], q[1], p[0], p[1]));
+            if (grows(p[0], p[1]) != grows(q[0], q[1])) {
+                cuts.add(grows(q[0], q[1]) ? border(p, q) : border(q, p));
             }
         }
         for (int k = 0; k + 1 < cuts.size(); k += 2) {

@@ -1,6 +1,9 @@
 package particles.output.charts;
 
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -10,9 +13,24 @@ import particles.view.Look;
 import particles.view.Series;
 import particles.view.Series.Mark;
 
-/** Makes the renderer of a chart's series: each is drawn by its mark in its look, and no two lines are alike. */
-final class SeriesRenderer {
+/** The renderer of a chart's series: each is drawn by its mark in its look, and no two lines are alike. */
+final class SeriesRenderer extends XYLineAndShapeRenderer {
+    private static final long serialVersionUID = 1L;
+
     private SeriesRenderer() {
+    }
+
+    /** Draws a whole line, or fills what it encloses. */
+    @Override
+    protected void drawFirstPassShape(Graphics2D g, int pass, int k, int item, Shape line) {
+        if (((ChartDataset) getPlot().getDataset()).series(k).mark() == Mark.FILL) {
+            Path2D area = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+            area.append(line, false);
+            g.setPaint(getItemPaint(k, item));
+            g.fill(area);
+        } else {
+            super.drawFirstPassShape(g, pass, k, item, line);
+        }
     }
 
     /**
@@ -20,7 +38,7 @@ final class SeriesRenderer {
      * @param format the format of the picture
      */
     static XYLineAndShapeRenderer of(List<Series> series, boolean path, ChartFormat format) {
-        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
+        SeriesRenderer renderer = new SeriesRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setAutoPopulateSeriesPaint(false);     // or a theme removes what is set here
         renderer.setAutoPopulateSeriesStroke(false);

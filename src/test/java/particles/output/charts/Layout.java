@@ -4,6 +4,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.output.charts.PageRecorder.Text;
 import particles.view.Chart;
 import particles.view.Panel;
@@ -155,7 +156,8 @@ public final class Layout {
         if (charts.stream().map(panel -> panel.charts().get(0)).allMatch(chart -> chart.x().equals(first.x())
                 && chart.y().equals(first.y()) && chart.rows().isEmpty())
                 && charts.stream().allMatch(panel -> panel.field().isEmpty())
-                && charts.stream().anyMatch(panel -> !panel.charts().get(0).scale().equals(first.scale()))) {
+                && Stream.of(true, false).anyMatch(x -> charts.stream().map(panel ->
+                ChartPlot.shown(panel.charts().get(0), x)).distinct().count() > 1)) {
             faults.add("panels of " + first.y() + " over " + first.x() + " differ in scale");
         }
         boolean equal = charts.size() > 1 && charts.stream().allMatch(panel -> panel.charts().get(0).scale().equals(
