@@ -30,7 +30,7 @@ final class ChartDataset extends DefaultXYDataset {
         }
     }
 
-    private static boolean isDrawn(Axis axis, double value) {
+    static boolean isDrawn(Axis axis, double value) {
         return Double.isFinite(value) && (value > 0 || !axis.log());
     }
 

@@ -3,7 +3,9 @@ package particles.output.charts;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
@@ -61,10 +63,17 @@ final class ChartPlot extends XYPlot {
         return series.mark().isWide() ? 0 : !series.mark().isCurve() ? 3 : series.look().variant() == 0 ? 1 : 2;
     }
 
-    /** The range of the values that an axis shows; null if there are none, as JFreeChart expects. */
+    /**
+     * The range of the values that an axis shows, along x also of points without a value along y; null if there are
+     * none, as JFreeChart expects.
+     */
     static Range shown(Chart chart, boolean x) {
-        ChartDataset scale = new ChartDataset(chart, chart.scale());
-        return x ? DatasetUtils.findDomainBounds(scale) : DatasetUtils.findRangeBounds(scale);
+        if (!x) {
+            return DatasetUtils.findRangeBounds(new ChartDataset(chart, chart.scale()));
+        }
+        DoubleSummaryStatistics range = chart.scale().stream().flatMapToDouble(one -> Arrays.stream(one.x()))
+                .filter(value -> ChartDataset.isDrawn(chart.x(), value)).summaryStatistics();
+        return range.getCount() == 0 ? null : new Range(range.getMin(), range.getMax());
     }
 
     static boolean onlyLines(Chart chart) {

@@ -17,6 +17,7 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.Range;
 import particles.view.Chart;
+import particles.view.Look;
 import particles.view.Panel;
 import particles.view.Series;
 import particles.view.Series.Mark;
@@ -114,9 +115,13 @@ final class Charts {
                 .map(ChartPlot.class::cast).toList();
     }
 
-    /** @return the legend of all series with points whose names are not in their charts; each appears once */
+    /**
+     * @return the legend of all series with points whose names are not in their charts, first the curves of solvers;
+     *         each appears once
+     */
     static LegendTitle legend(List<ChartPlot> plots, ChartFormat format) {
         LegendItemCollection items = new LegendItemCollection();
+        LegendItemCollection besides = new LegendItemCollection();      // what is drawn in every panel
         Set<List<Object>> named = new HashSet<>();
         for (ChartPlot plot : plots) {
             ChartDataset data = (ChartDataset) plot.getDataset();
@@ -125,10 +130,12 @@ final class Charts {
                 boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.FILL;    // the axis names it
                 if (!plot.ends.labelled.contains(k) && !onlyOne && data.last(k) >= 0
                         && named.add(List.of(series.name(), series.mark().isCurve()))) {
-                    items.add(plot.getRenderer().getLegendItem(0, k));
+                    (series.mark().isCurve() && !series.look().equals(Look.REFERENCE) ? items : besides)
+                            .add(plot.getRenderer().getLegendItem(0, k));
                 }
             }
         }
+        items.addAll(besides);
         LegendTitle legend = new LegendTitle(() -> items);
         legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemFont(ChartStyle.LABEL);

@@ -168,6 +168,20 @@ class ChartsTest {
         assertEquals("y = 1.0", legend.get(0).getLabel());
     }
 
+    @Test
+    void theLegendBeginsWithTheCurvesOfSolvers() {
+        Chart map = chart(false, series(Look.REFERENCE, "imaginary axis", 1, 2), series(look("rk4"), "rk4", 1, 2));
+        LegendItemCollection legend = Charts.legend(Charts.plots(Charts.of(Panel.map("title", map), true,
+                ChartFormat.PAGE)), ChartFormat.PAGE).getSources()[0].getLegendItems();
+        assertEquals(List.of("rk4", "imaginary axis"), List.of(legend.get(0).getLabel(), legend.get(1).getLabel()));
+    }
+
+    /** Of two charts beside each other, one may have a run that failed where the other has a result. */
+    @Test
+    void aRunWithoutAValueHasItsPlaceOnTheAxis() {
+        assertTrue(plot(true, series("mine", 1, 1, Double.NaN)).getDomainAxis().getRange().contains(3));
+    }
+
     /** Ticks are 1, 2 or 5 times a power of ten apart, and their labels have no round-off. */
     @ParameterizedTest
     @CsvSource({"0, 2.1e-14, 0; 5e-15; 1e-14; 1.5e-14; 2e-14", "0, 1, 0; 0.2; 0.4; 0.6; 0.8; 1",
