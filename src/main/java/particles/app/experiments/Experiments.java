@@ -43,8 +43,9 @@ final class Experiments {
                             a run that ended early.""",
                             Panel.of(title, List.of(DriftCharts.sizes(comparison.drifts())))).first(first),
                     Picture.of("energy-drift-signed", """
-                            The energy error with its sign, as long as it is below 10 %, of the solvers whose error \
-                            can be seen on this axis. At the curves: the largest error of the whole run.""",
+                            The energy error with its sign, as long as it is below 10 %. Solvers whose error leaves \
+                            this axis at once, or is too small to be seen on it, are left out. At the curves: the \
+                            largest error of the whole run.""",
                             Panel.of(title + ", with its sign", List.of(DriftCharts.small(comparison.drifts()))))
                             .first(first)),
                     List.of(DriftCharts.table(comparison)));

@@ -22,6 +22,8 @@ public final class DriftCharts {
     private static final double LINEAR = 10;
     /** Smaller errors than this part of the largest one drawn are a straight line at 0. */
     private static final double SEEN = 0.01;
+    /** An error that is small for less than this part of the longest time is a stroke upwards or downwards. */
+    private static final double LASTS = 0.05;
     private static final double PERCENT = 100;
     private static final double SMALLEST = 1e-15;
     private static final String UNIT = "% of scale";
@@ -53,13 +55,19 @@ public final class DriftCharts {
     /**
      * @param drifts the measured drifts
      * @return the errors with their signs on a linear axis, each while it is small; without those that are too small
-     *         to be seen beside the others
+     *         to be seen beside the others, or leave the axis at once
      */
     public static Chart small(List<Drift> drifts) {
         double top = drifts.stream().mapToDouble(DriftCharts::shown).max().orElse(0);
-        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), drifts.stream()
-                .filter(drift -> shown(drift) >= SEEN * top)
-                .map(drift -> line(drift, percent(drift).takeWhile(e -> Math.abs(e) <= LINEAR))).toList());
+        List<Series> lines = drifts.stream().filter(drift -> shown(drift) >= SEEN * top)
+                .map(drift -> line(drift, percent(drift).takeWhile(e -> Math.abs(e) <= LINEAR))).toList();
+        double longest = lines.stream().mapToDouble(DriftCharts::end).max().orElse(0);
+        return new Chart(Axis.TIME, Axis.linear("energy error", UNIT), lines.stream()
+                .filter(line -> end(line) >= LASTS * longest).toList());
+    }
+
+    private static double end(Series line) {
+        return line.x()[line.x().length - 1];
     }
 
     private static double shown(Drift drift) {

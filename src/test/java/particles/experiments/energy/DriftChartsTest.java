@@ -71,6 +71,8 @@ class DriftChartsTest {
         assertEquals(List.of("midpoint", "verlet"), names(UP, SWING, TINY, NONE));
         assertEquals(List.of("rk4"), names(TINY, NONE));
         assertEquals(List.of("radau"), names(NONE));
+        assertEquals(List.of("midpoint"), names(UP, DOWN, FAILED), "the others leave the axis at once");
+        assertEquals(List.of("euler"), names(FAILED));
     }
 
     private static List<String> names(Drift... drifts) {
