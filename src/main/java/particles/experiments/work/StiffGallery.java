@@ -161,12 +161,13 @@ public final class StiffGallery {
      */
     public static DataTable table(List<List<Cost>> sweeps) {
         return DataTable.of("stiffness", """
-                Evaluations grow as k^exponent, where k is the stiffness: for stability, and for an error of 1 %. \
+                Evaluations grow as a power of the stiffness k: to be stable, and for an error of 1 % of the swing. \
                 Then, the evaluations for 1 % with the softest and the stiffest spring""", sweeps,
                 column("solver", sweep -> sweep.get(0).solver.label()),
-                column("exponent, stability", 3, sweep -> exponent(sweep, Cost::toBeStable)),
-                column("exponent, 1 %", 3, sweep -> exponent(sweep, Cost::toOnePercent)),
-                column("evaluations, softest", sweep -> sweep.get(0).toOnePercent),
-                column("evaluations, stiffest", sweep -> sweep.get(sweep.size() - 1).toOnePercent));
+                column("exponent of k, to be stable", 3, sweep -> exponent(sweep, Cost::toBeStable)),
+                column("exponent of k, for 1 % error", 3, sweep -> exponent(sweep, Cost::toOnePercent)),
+                column("evaluations for 1 % error, softest spring", sweep -> sweep.get(0).toOnePercent),
+                column("evaluations for 1 % error, stiffest spring", sweep ->
+                        sweep.get(sweep.size() - 1).toOnePercent));
     }
 }
