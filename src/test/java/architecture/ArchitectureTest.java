@@ -42,7 +42,7 @@ class ArchitectureTest {
             deSolvers.multistep:           deSolvers
             deSolvers.problems:            deSolvers org.hipparchus
             deSolvers.rungeKutta:          deSolvers
-            deSolvers.symplectic:          deSolvers
+            deSolvers.symplectic:          deSolvers deSolvers.text
             deSolvers.text:
             particles:                     deSolvers deSolvers.text particles.engine particles.law
             particles.app:                 particles.app.cli particles.app.course particles.app.experiments

@@ -2,6 +2,7 @@ package deSolvers.symplectic;
 
 import deSolvers.SecondOrderStateSource;
 import deSolvers.StepTransaction;
+import deSolvers.text.Digits;
 
 /**
  * A kick with the acceleration at its own end, v = v0 + h a(x, v, t), solved for v by fixed-point iteration. With the
@@ -54,9 +55,9 @@ final class ImplicitKick {
             }
         }
         throw source.failure(-1, "the velocity at the end of the step did not converge in " + MOST_ITERATIONS
-                + " iterations", "the last change is " + change + " of " + scale + "; a force that depends"
-                + " on the velocity, as drag or damping, is too stiff for this deltaT: take a smaller one or an"
-                + " implicit solver");
+                + " iterations", "the last change is " + Digits.few(change) + " of " + Digits.few(scale)
+                + "; a force that depends on the velocity, as drag or damping, is too stiff for this deltaT: take a"
+                + " smaller one or an implicit solver");
     }
 
     private static double largestTerm(StepTransaction source) {
