@@ -8,7 +8,7 @@ import particles.experiments.runs.FollowedParticle;
 import particles.law.Particles;
 
 /**
- * Follows one coordinate of a particle: its range, and its turning points, which are found on the cubic between two
+ * Follows one coordinate of a particle: its range, and its turning points, which are found on the motion between two
  * steps. If a rule removes the particle, its last value is NaN; the rest is that of its life.
  */
 final class ParticlePath implements Observer {
@@ -30,7 +30,8 @@ final class ParticlePath implements Observer {
         }
     }
 
-    private static final double MIDDLE = 0.5;
+    /** Bisections of a step that find a turning point to the digits of the clock. */
+    private static final int HALVINGS = 52;
 
     private final Coordinate coordinate;
     private final String particle;
@@ -90,32 +91,33 @@ final class ParticlePath implements Observer {
         most = Math.max(most, value);
     }
 
-    /** Where the velocity changes its sign in a piece, its cubic has an extreme. */
+    /** Where the velocity changes its sign, the position has an extreme, which bisection finds. */
     private void turn(Motion piece, int c) {
         double v0 = piece.getStartState()[c + 3];
         double v1 = piece.getEndState()[c + 3];
         if (!(v0 * v1 < 0 || v1 == 0 && v0 != 0)) {
             return;
         }
-        double h = piece.getEndTime() - piece.getStartTime();
-        double x0 = piece.getStartState()[c];
-        double way = piece.getEndState()[c] - x0;
-        // the velocity on the cubic is v0 + b u + a u^2; it has one root in [0, 1], but for round-off
-        double b = 6 * way / h - 4 * v0 - 2 * v1;
-        double a = 3 * (v0 + v1) - 6 * way / h;
-        double q = -0.5 * (b + Math.copySign(Math.sqrt(Math.max(0, b * b - 4 * a * v0)), b));
-        double one = v0 / q;
-        double other = q / a;                           // not finite if a is 0
-        double root = Math.abs(other - MIDDLE) < Math.abs(one - MIDDLE) ? other : one;
-        double u = v1 == 0 ? 1 : Math.max(0, Math.min(1, root));
-        double extreme = x0 + h * u * (v0 + u * (b / 2 + u * a / 3));
-        add(extreme);
+        double before = piece.getStartTime();
+        double time = piece.getEndTime();
+        double[] state = new double[piece.getEndState().length];
+        for (int halving = 0; halving < HALVINGS; halving++) {
+            double middle = (before + time) / 2;
+            piece.interpolate(middle, state);
+            if (state[c + 3] * v0 > 0) {
+                before = middle;
+            } else {
+                time = middle;
+            }
+        }
+        piece.interpolate(time, state);
+        add(state[c]);
         if (v0 > 0) {
-            high = extreme;
-            lastMaximum = piece.getStartTime() + u * h;
-            firstMaximum = maxima++ == 0 ? lastMaximum : firstMaximum;
+            high = state[c];
+            lastMaximum = time;
+            firstMaximum = maxima++ == 0 ? time : firstMaximum;
         } else {
-            low = extreme;
+            low = state[c];
         }
     }
 
