@@ -129,7 +129,7 @@ public final class SweepCommand extends ExperimentCommand {
             super.run(lines);
             return;
         }
-        int rows = compute(new PrintedProgress(lines, System::nanoTime)).size();
+        int rows = rows(new PrintedProgress(lines, System::nanoTime)).size();
         lines.println(rows + " runs are in " + getFolder() + "; make the results with "
                 + getStyle().option("collect"));
     }
@@ -141,7 +141,7 @@ public final class SweepCommand extends ExperimentCommand {
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<Row> rows = collect.map(this::collected).orElseGet(() -> compute(progress));
+        List<Row> rows = rows(progress);
         GridCharts charts = new GridCharts(grid.get(), measures.get(), rows);
         String title = options.scene().title();
         long failed = rows.stream().filter(row -> !row.end().equals(SceneGrid.WHOLE)).count();
@@ -166,36 +166,31 @@ public final class SweepCommand extends ExperimentCommand {
     }
 
     /** The rows of this part, in the order of the points; those that are there are not computed again. */
-    private List<Row> compute(ProgressListener progress) {
+    private List<Row> rows(ProgressListener progress) {
         List<List<String>> points = grid.get().part(part.get(0), part.get(1));
-        String name = rowsName();
-        Map<List<String>, Row> known = known(getFolder());
-        String mine = name + (part.get(1) == 1 ? "" : "-" + part.get(0) + "of" + part.get(1)) + ".csv";
-        try (RowFile rows = RowFile.open(getFolder().resolve(mine))) {
-            return progress.onAllCores(points, point -> String.join(", ", point), point -> {
-                if (known.containsKey(point)) {
-                    return known.get(point);
-                }
-                Row row = runs.get().run(point);
-                rows.add(row);
-                return row;
-            });
-        }
-    }
-
-    private Map<List<String>, Row> known(Path folder) {
         int axes = grid.get().axes().size();
-        return RowFile.read(folder, rowsName(), axes, axes + measures.get().size() + 1);
-    }
-
-    private List<Row> collected(Path folder) {
-        Map<List<String>, Row> known = known(folder);
-        List<List<String>> points = grid.get().points();
-        List<List<String>> missing = points.stream().filter(point -> !known.containsKey(point)).toList();
-        if (!missing.isEmpty()) {
+        Path folder = collect.orElseGet(this::getFolder);
+        Map<List<String>, Row> rows = RowFile.read(folder, rowsName(), axes, axes + measures.get().size() + 1);
+        List<List<String>> missing = points.stream().filter(point -> !rows.containsKey(point)).toList();
+        if (collect.isPresent() && !missing.isEmpty()) {
             throw wrong("collect", missing.size() + " of " + points.size() + " runs are not in '" + folder
                     + "', such as " + String.join(", ", missing.get(0)));
         }
-        return points.stream().map(known::get).toList();
+        compute(missing, progress).forEach(row -> rows.put(row.at(), row));
+        return points.stream().map(rows::get).toList();
+    }
+
+    private List<Row> compute(List<List<String>> points, ProgressListener progress) {
+        if (points.isEmpty()) {
+            return List.of();
+        }
+        String mine = rowsName() + (part.get(1) == 1 ? "" : "-" + part.get(0) + "of" + part.get(1)) + ".csv";
+        try (RowFile file = RowFile.open(getFolder().resolve(mine))) {
+            return progress.onAllCores(points, point -> String.join(", ", point), point -> {
+                Row row = runs.get().run(point);
+                file.add(row);
+                return row;
+            });
+        }
     }
 }
