@@ -61,20 +61,17 @@ public final class SceneGrid {
         final EnergyRecorder energy;
         final ImpactCount impacts = new ImpactCount();
         final Map<Measure, ParticlePath> paths = new HashMap<>();
-        final Map<String, Double> stored = new HashMap<>();     // by effects at the start (J)
 
         Gauges(Scene scene) {
             this.scene = scene;
             energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
             measures.stream().filter(measure -> measure.kind().isOfParticle()).forEach(measure ->
                     paths.put(measure, new ParticlePath(measure.coordinate(), measure.subject())));
-            measures.stream().filter(measure -> measure.kind() == Kind.WORK).map(Measure::subject).forEach(effect ->
-                    stored.put(effect, SceneGrid.stored(effect, scene.system())));
         }
 
-        /** The work of a force: what it took from its potential energy, and what the ledger booked. */
+        /** The work of a force: what it took from its potential energy at the start, and what the ledger booked. */
         double work(String name) {
-            return stored.get(name) - SceneGrid.stored(name, scene.system())
+            return stored(name, SceneBuilder.build(scene.description()).system()) - stored(name, scene.system())
                     + energy.getLedger().getWorkByForce().getOrDefault(name, 0.0);
         }
 
@@ -204,8 +201,8 @@ public final class SceneGrid {
 
     private static double stable(SceneDescription scene) {
         Spectrum spectrum = SceneStability.spectrum(scene);
-        return spectrum.decaying().isEmpty() ? Double.NaN : SceneStability.limits(spectrum,
-                scene.deltaT(), List.of(SolverChoice.of(scene.solver())), (part, what) -> { }).get(0).deltaT();
+        return spectrum.decaying().isEmpty() ? Double.NaN : SceneStability.limit(spectrum, scene.deltaT(),
+                SolverChoice.of(scene.solver())).deltaT();
     }
 
     /** The reference for all points that differ in the solver or its step only; empty if it fails. */

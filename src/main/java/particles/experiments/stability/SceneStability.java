@@ -71,7 +71,8 @@ public final class SceneStability {
         return progress.onAllCores(solvers, SolverChoice::label, solver -> limit(spectrum, deltaT, solver));
     }
 
-    private static Limit limit(Spectrum spectrum, double deltaT, SolverChoice solver) {
+    /** As {@link #limits}, of one solver. */
+    public static Limit limit(Spectrum spectrum, double deltaT, SolverChoice solver) {
         Amplification amplification = Amplification.of(solver);
         Map<List<Long>, Mode> fastest = new LinkedHashMap<>();       // of each direction
         spectrum.decaying().forEach(mode -> fastest.putIfAbsent(List.of(Math.round(mode.re() / mode.size()
