@@ -1,7 +1,6 @@
 package particles.experiments.grid;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
+import deSolvers.text.Digits;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -30,8 +29,8 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
     private static final Pattern RANGE = Pattern.compile(NUMBER + "\\.\\." + NUMBER + "(?:\\s(by|log)" + NUMBER + ")?");
     private static final Pattern LIKE_RANGE = Pattern.compile("[^'\"\\[]*\\.\\.[^'\"]*");
     /** Values in a constant ratio have digits that can be read and typed; all others are as exact as sums are. */
-    private static final MathContext READABLE = new MathContext(6);
-    private static final MathContext EXACT = new MathContext(14);
+    private static final int READABLE = 6;
+    private static final int EXACT = 14;
     private static final double ROUNDING = 1e-12;
 
     /**
@@ -101,9 +100,9 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
             throw new IllegalArgumentException("'" + values + "' has too many values; at most " + MOST_POINTS);
         }
         double ratio = StrictMath.log(last / first);
-        List<String> list = IntStream.rangeClosed(0, (int) steps).mapToObj(k -> k == 0 ? digits(first, EXACT)
-                : !log ? digits(first + k * by, EXACT) : k == steps ? digits(last, EXACT)
-                : digits(first * StrictMath.exp(ratio * k / steps), READABLE)).toList();
+        List<String> list = IntStream.rangeClosed(0, (int) steps).mapToObj(k -> k == 0 ? Digits.few(first, EXACT)
+                : !log ? Digits.few(first + k * by, EXACT) : k == steps ? Digits.few(last, EXACT)
+                : Digits.few(first * StrictMath.exp(ratio * k / steps), READABLE)).toList();
         if (new LinkedHashSet<>(list).size() < list.size()) {
             throw new IllegalArgumentException("'" + values + "' has too many values: with the digits shown,"
                     + " some are equal");
@@ -120,14 +119,6 @@ public record GridAxis(String key, List<String> values, boolean log, String unit
             throw new IllegalArgumentException("'" + text + "' is too large");
         }
         return number;
-    }
-
-    /** The shortest digits: 0.05, 20, 1E-12. */
-    private static String digits(double value, MathContext digits) {
-        BigDecimal shortest = value == 0 ? BigDecimal.ZERO : BigDecimal.valueOf(value).round(digits)
-                .stripTrailingZeros();
-        return shortest.scale() < 0 && shortest.precision() - shortest.scale() <= 12 ? shortest.toPlainString()
-                : shortest.toString();
     }
 
     /** @return the axis with values in this unit */
