@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.nio.DoubleBuffer;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
@@ -86,9 +85,12 @@ public final class ContactQueries {
             }
             total = forcesAtRest(block, state, force).getForces();
         }
-        return Arrays.stream(normal.find(particle, state, total, true))
-                .filter(push -> push.surface() == contacts.getSurfaces().get(surface))
-                .mapToDouble(push -> push.size() != 0 ? push.size() : -push.separation()).findFirst().orElse(0);
+        for (Push push : normal.find(particle, state, total, true)) {       // no stream, since each step asks
+            if (push.surface() == contacts.getSurfaces().get(surface)) {
+                return push.size() != 0 ? push.size() : -push.separation();
+            }
+        }
+        return 0;
     }
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */
