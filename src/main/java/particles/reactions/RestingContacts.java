@@ -103,7 +103,9 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which velocities are changed
      */
     public void settle(int particle, boolean balls, double[] state) {
-        apply.correct(gather.of(particle), state, 3, false, balls);
+        if (gather.isCoupled(particle) || !modes.isSticking(particle)) {    // else held, and its contacts have no rows
+            apply.correct(gather.of(particle), state, 3, false, balls);
+        }
     }
 
     /** Projects the positions and velocities of all linkages onto their rods, wires and touched surfaces. */
