@@ -4,7 +4,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -32,7 +31,6 @@ import particles.spec.messages.Wording;
  */
 public final class Setting {
     private static final Pattern KEY = Pattern.compile("[\\w-]+(?:\\.[\\w-]+|\\[\\d{1,6}])*");
-    private static final Pattern STEP = Pattern.compile("\\[\\d+]|[\\w-]+");
     private static final String ID = "id";
     /** The type of what is below a key that does not exist: nothing there is known, and reading reports the key. */
     private static final MappingType UNKNOWN = MappingType.of("");
@@ -134,105 +132,93 @@ public final class Setting {
     /** @return the tree of a file of this type with this value in it; unchanged if a problem was reported */
     Node applyTo(MappingType type, Node root, Reading in) {
         int before = in.problems().count();
-        List<String> path = new ArrayList<>();
-        for (Matcher step = STEP.matcher(key); step.find();) {
-            path.add(step.group());
-        }
-        Node changed = put(type, Optional.of(root), path, in);
+        Node changed = put(type, root, List.of(key.replace("[", ".[").split("[.]")), in);
         return in.problems().count() > before ? root : changed;
     }
 
-    private Node put(Type<?> type, Optional<Node> old, List<String> path, Reading in) {
+    /** The tree of a value of this type with this value at the end of the path; old is empty where there is none. */
+    private Node put(Type<?> type, Node old, List<String> path, Reading in) {
         if (path.isEmpty()) {
             return value;
         }
+        if (type instanceof KindType<?> kinds) {
+            return inKind(kinds, old, path, in);
+        }
         String step = path.get(0);
-        if (step.startsWith("[") && !(type instanceof KindType)) {
-            return element(type, old, Integer.parseInt(step.substring(1, step.length() - 1)), path, in);
-        }
         List<String> rest = path.subList(1, path.size());
+        if (step.startsWith("[")) {
+            return element(type, old, step, rest, in);
+        }
         if (type instanceof ListType<?> list) {
-            return named(list, old, step, rest, in);
+            return named(list.element(), old, step, rest, in);
         }
-        if (type instanceof KindType<?> kinds && old.isPresent()) {
-            return inKind(kinds, old.get(), path, in);
-        }
-        if (type instanceof MappingType mapping) {
-            Type<?> child = mapping.getKeys().stream().filter(known -> known.name().equals(step))
-                    .<Type<?>>map(Key::type).findFirst().orElse(UNKNOWN);
-            return entry(mapping, old, step, child, rest, in);
-        }
-        return problem(in, "it is " + type.describe() + ", and has no " + Wording.quote(step));
+        return type instanceof MappingType mapping ? entry(mapping, old, step, rest, in)
+                : problem(in, "it is " + type.describe() + ", and has no " + Wording.quote(step));
     }
 
     /** A mapping with a key changed or added. */
-    private Node entry(MappingType type, Optional<Node> old, String name, Type<?> child, List<String> rest,
-            Reading in) {
+    private Node entry(MappingType type, Node old, String name, List<String> rest, Reading in) {
         List<NodeTuple> entries = new ArrayList<>();
-        if (old.isPresent() && old.get() instanceof MappingNode mapping) {
+        if (old instanceof MappingNode mapping) {
             entries.addAll(mapping.getValue());
-        } else if (old.isPresent() && type.getShortForm().isPresent()) {
-            entries.add(new NodeTuple(word(type.getShortForm().get().name()), old.get()));
+        } else {
+            type.getShortForm().ifPresent(brief -> entries.add(new NodeTuple(word(brief.name()), old)));
         }
         int k = IntStream.range(0, entries.size()).filter(i -> is(entries.get(i).getKeyNode(), name)).findFirst()
                 .orElse(entries.size());
-        Optional<Node> before = k < entries.size() ? Optional.of(entries.get(k).getValueNode()) : Optional.empty();
-        NodeTuple changed = new NodeTuple(word(name), put(child, before, rest, in));
-        if (k < entries.size()) {
-            entries.set(k, changed);
-        } else {
-            entries.add(changed);
+        if (k == entries.size()) {
+            entries.add(new NodeTuple(old, mapping(List.of(), value.getStartMark())));
         }
-        return mapping(entries, old.map(Node::getStartMark).orElse(value.getStartMark()));
+        Type<?> child = type.getKeys().stream().filter(known -> known.name().equals(name))
+                .<Type<?>>map(Key::type).findFirst().orElse(UNKNOWN);
+        entries.set(k, new NodeTuple(word(name), put(child, entries.get(k).getValueNode(), rest, in)));
+        return mapping(entries, old.getStartMark());
     }
 
-    private Node element(Type<?> type, Optional<Node> old, int index, List<String> path, Reading in) {
-        if (!(old.isPresent() && old.get() instanceof SequenceNode list)) {
-            return problem(in, "there is no list for " + path.get(0));
+    private Node element(Type<?> type, Node old, String step, List<String> rest, Reading in) {
+        if (!(old instanceof SequenceNode list)) {
+            return problem(in, "there is no list for " + step);
         }
+        int index = Integer.parseInt(step.substring(1, step.length() - 1));
         if (index >= list.getValue().size()) {
-            return problem(in, path.get(0) + " does not exist; there are " + list.getValue().size() + ", from [0] on");
+            return problem(in, step + " does not exist; there are " + list.getValue().size() + ", from [0] on");
         }
         List<Node> items = new ArrayList<>(list.getValue());
-        Type<?> child = type instanceof ListType<?> of ? of.element() : UNKNOWN;
-        items.set(index, put(child, Optional.of(items.get(index)), path.subList(1, path.size()), in));
+        items.set(index, put(type instanceof ListType<?> of ? of.element() : UNKNOWN, items.get(index), rest, in));
         return sequence(items, list.getStartMark());
     }
 
-    /** The entry of a list that has this id, or is of the kind of this name. */
-    private Node named(ListType<?> type, Optional<Node> old, String name, List<String> rest, Reading in) {
-        List<Node> items = new ArrayList<>(old.isPresent() && old.get() instanceof SequenceNode list ? list.getValue()
-                : List.of());
-        List<Integer> found = IntStream.range(0, items.size()).filter(i -> names(items.get(i)).anyMatch(name::equals))
-                .boxed().toList();
+    /** A list with the entry changed that has this id, or is of the kind of this name. */
+    private Node named(Type<?> type, Node old, String name, List<String> rest, Reading in) {
+        List<Node> items = new ArrayList<>(old instanceof SequenceNode list ? list.getValue() : List.of());
+        List<Node> found = items.stream().filter(item -> names(item).anyMatch(name::equals)).toList();
         if (found.size() > 1) {
             return problem(in, found.size() + " entries are called " + Wording.quote(name)
-                    + "; give the number of one, from [" + found.get(0) + "]");
+                    + "; give the number of one, from [" + items.indexOf(found.get(0)) + "]");
         }
-        if (found.size() == 1) {
-            int k = found.get(0);
-            items.set(k, type.element() instanceof KindType<?> kinds ? inKind(kinds, items.get(k), rest, in)
-                    : put(type.element(), Optional.of(items.get(k)), rest, in));
-        } else if (type.element() instanceof KindType<?> kinds) {
-            items.add(inKind(kinds, word(name), rest, in));
-        } else {
+        if (found.isEmpty() && !(type instanceof KindType)) {
             List<String> known = items.stream().flatMap(Setting::names).toList();
             return problem(in, known.isEmpty() ? "the entries of this list have no names; give a number, such as [0]"
                     : Wording.unknown("entry", name, known, List.of()));
         }
-        return sequence(items, old.map(Node::getStartMark).orElse(value.getStartMark()));
+        if (found.isEmpty()) {
+            items.add(word(name));
+        }
+        int k = found.isEmpty() ? items.size() - 1 : items.indexOf(found.get(0));
+        items.set(k, type instanceof KindType<?> kinds ? inKind(kinds, items.get(k), rest, in)
+                : put(type, items.get(k), rest, in));
+        return sequence(items, old.getStartMark());
     }
 
     /** An entry that names a kind; its own name may be a step of the path. */
     private Node inKind(KindType<?> type, Node item, List<String> path, Reading in) {
-        Optional<NodeTuple> first = item instanceof MappingNode mapping ? mapping.getValue().stream().findFirst()
-                : Optional.empty();
-        Node name = first.map(NodeTuple::getKeyNode).orElse(item);
+        NodeTuple entry = item instanceof MappingNode mapping && !mapping.getValue().isEmpty()
+                ? mapping.getValue().get(0) : new NodeTuple(item, mapping(List.of(), item.getStartMark()));
+        Node name = entry.getKeyNode();
         List<String> rest = !path.isEmpty() && is(name, path.get(0)) ? path.subList(1, path.size()) : path;
         Type<?> kind = type.kinds().stream().filter(known -> is(name, known.getName())).<Type<?>>map(known -> known)
                 .findFirst().orElse(UNKNOWN);
-        return mapping(List.of(new NodeTuple(name, put(kind, first.map(NodeTuple::getValueNode), rest, in))),
-                item.getStartMark());
+        return mapping(List.of(new NodeTuple(name, put(kind, entry.getValueNode(), rest, in))), item.getStartMark());
     }
 
     /** The names by which an entry of a list can be called: its kind, and its id. */
