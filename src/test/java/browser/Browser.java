@@ -134,7 +134,7 @@ final class Browser implements AutoCloseable {
                 Path own = Files.createTempDirectory(folder, "lab");
                 List<String> solvers = List.of(SOLVER, UNFINISHED);
                 Map<Path, String> texts = new LinkedHashMap<>();
-                scenes.forEach(file -> texts.put(file, SceneReader.withFiles(file, ClassNames.none())));
+                scenes.forEach(file -> texts.put(file, SceneReader.withFiles(file, ClassNames.none(), List.of())));
                 String page = builder.build(new LabBuilder.Contents(texts, LabCommand.pictures(scenes),
                         SceneFiles.find(Path.of("scenes"), "2"), "", solvers,
                         PageClasses.compile(solvers, List.of(EFFECT), exercises, own)), own);

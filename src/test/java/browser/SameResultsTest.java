@@ -138,7 +138,7 @@ class SameResultsTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void twoSecondsOfASceneAreTheSame(Path scene) {
-        Run run = new Run(scene.toString(), SceneReader.withFiles(scene, ClassNames.none()), "", SECONDS);
+        Run run = new Run(scene.toString(), SceneReader.withFiles(scene, ClassNames.none(), List.of()), "", SECONDS);
         List<String> found = inThePage(List.of(run)).get(0);
         assertEquals("", found.get(0));
         assertEquals("", difference(run, found, SAME_BITS.contains(run.number()),
@@ -148,7 +148,7 @@ class SameResultsTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void aFewStepsAreTheSameWithEverySolver(Path scene) {
-        String text = SceneReader.withFiles(scene, ClassNames.none());
+        String text = SceneReader.withFiles(scene, ClassNames.none(), List.of());
         double time = FEW_STEPS * SceneReader.read(scene).deltaT();
         List<Run> runs = SolverCatalog.names().stream().map(solver -> new Run(scene.toString(), text, solver, time))
                 .toList();

@@ -2,7 +2,6 @@ package particles.scene;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.scene.format.SceneDescription;
@@ -11,6 +10,7 @@ import particles.scene.parts.NamedFiles;
 import particles.scene.parts.NamedFiles.NamedFile;
 import particles.spec.ClassNames;
 import particles.spec.Reading;
+import particles.spec.Reading.NumberInText;
 import particles.spec.Setting;
 import particles.spec.SourceText;
 import particles.spec.messages.InvalidInputException;
@@ -51,8 +51,8 @@ public final class SceneReader {
         return read(nameOf(file), bytes(file), classes, beside(file), settings);
     }
 
-    /** @return finds the files in the folder of a scene */
-    public static NamedFiles beside(Path scene) {
+    /** Finds the files in the folder of a scene. */
+    private static NamedFiles beside(Path scene) {
         return (name, place, problems) -> {
             Path file = scene.resolveSibling(name);
             return SourceText.read(file, MOST_BYTES, new Reading(nameOf(file), problems)).map(bytes ->
@@ -61,26 +61,21 @@ public final class SceneReader {
     }
 
     /**
-     * @param file    a scene
-     * @param classes finds classes that the file names
-     * @return its text, followed by the files that it names, so that the text can be read alone
+     * @param file     a scene
+     * @param classes  finds classes that the file names
+     * @param settings values in place of the file's own
+     * @return its text, followed by the files that it names with these values, so that the text can be read alone
      * @throws InvalidInputException with everything that is wrong with it
      */
-    public static String withFiles(Path file, ClassNames classes) {
-        return withFiles(file, classes, List.of());
-    }
-
-    /** The same, followed by the files that it names with these values in place of its own. */
     public static String withFiles(Path file, ClassNames classes, List<Setting> settings) {
-        StringBuilder text = new StringBuilder(new String(bytes(file), StandardCharsets.UTF_8));
-        List<String> added = new ArrayList<>(List.of("\nfiles:\n"));
+        String text = new String(bytes(file), StandardCharsets.UTF_8);
+        StringBuilder added = new StringBuilder();
         read(nameOf(file), bytes(file), classes, (name, place, problems) -> {
             Optional<NamedFile> found = beside(file).read(name, place, problems);
-            found.ifPresent(one -> added.add("  '" + name + "': |2\n" + one.text().indent(4)));
+            found.ifPresent(one -> added.append("  '" + name + "': |2\n" + one.text().indent(4)));
             return found;
         }, settings);
-        added.stream().limit(added.size() > 1 ? added.size() : 0).forEach(text::append);
-        return text.toString();
+        return added.isEmpty() ? text : text + "\nfiles:\n" + added;
     }
 
     /** @return a file's name in messages: its path, with slashes on any system */
@@ -108,27 +103,13 @@ public final class SceneReader {
      * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(String source, byte[] bytes) {
-        return read(source, bytes, ClassNames.none());
+        return read(source, bytes, ClassNames.none(), List.of());
     }
 
-    /** As {@link #read(String, byte[])}, with classes as in {@link #read(Path, ClassNames)}. */
-    public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
-        return read(source, bytes, classes, List.of());
-    }
-
-    /** The same, with these values in place of the scene's own. */
+    /** The same, for a scene that may name classes, with these values in place of its own. */
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes, List<Setting> settings) {
         return read(source, bytes, classes, (name, place, problems) -> problems.add(place,
                 "no other file can be read here; put its text under 'files'"), settings);
-    }
-
-    /**
-     * The same, for a scene that may name files.
-     *
-     * @param files finds the files that are not in the scene itself
-     */
-    public static SceneDescription read(String source, byte[] bytes, ClassNames classes, NamedFiles files) {
-        return read(source, bytes, classes, files, List.of());
     }
 
     private static SceneDescription read(String source, byte[] bytes, ClassNames classes, NamedFiles files,
@@ -141,17 +122,16 @@ public final class SceneReader {
 
     /** @return the unit of a number that is set in a scene; empty if what is set is no number, or has no unit */
     public static String unit(Path file, ClassNames classes, Setting setting) {
-        Reading in = new Reading(nameOf(file), new Problems(), classes);
-        SceneFormat.SCENE.read(bytes(file), List.of(setting), in);
-        return in.numbers().stream().filter(number -> number.place().equals(setting.getPlace())).map(
-                Reading.NumberInText::unit).findFirst().orElse("");
+        return numbers(bytes(file), classes, List.of(setting)).stream()
+                .filter(number -> number.place().equals(setting.getPlace())).map(NumberInText::unit).findFirst()
+                .orElse("");
     }
 
     /**
      * @return the numbers in a scene's text and in what is set in it, in the order in which they are read; where there
      *         are mistakes, the others
      */
-    public static List<Reading.NumberInText> numbers(byte[] bytes, ClassNames classes, List<Setting> settings) {
+    public static List<NumberInText> numbers(byte[] bytes, ClassNames classes, List<Setting> settings) {
         Reading in = new Reading("", new Problems(), classes);
         SceneFormat.SCENE.read(bytes, settings, in);
         return in.numbers();

@@ -111,7 +111,7 @@ class OwnEffectTest {
 
     private static Scene scene(String text) {
         return SceneBuilder.build(SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8),
-                new StudentClasses()));
+                new StudentClasses(), List.of()));
     }
 
     private static void assertRefused(String line, String effect) {

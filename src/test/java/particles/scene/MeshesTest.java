@@ -217,11 +217,12 @@ class MeshesTest {
                 .endsWith("m.obj: there is no such file"));
         Files.writeString(folder.resolve("m.obj"), "\n  # a comment\r\n" + CORNERS + "f 1 4 3 2\r\n");
         Scene beside = SceneBuilder.build(SceneReader.read(scene));
-        Scene within = TestScenes.build(SceneReader.withFiles(scene, ClassNames.none()));
+        Scene within = TestScenes.build(SceneReader.withFiles(scene, ClassNames.none(), List.of()));
         assertArrayEquals(beside.system().getOwnState(), within.system().getOwnState());
         assertEquals(pairs(beside.springs()), pairs(within.springs()));
         Files.writeString(scene, HEAD + "particles: [{id: a, position: [0, 0, 0]}]\n");
-        assertEquals(Files.readString(scene), SceneReader.withFiles(scene, ClassNames.none()), "it names no file");
+        assertEquals(Files.readString(scene), SceneReader.withFiles(scene, ClassNames.none(), List.of()),
+                "it names no file");
     }
 
     /** 160,000 vertices are 480,000 numbers, more than a scene file may have. */

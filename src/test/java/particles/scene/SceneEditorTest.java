@@ -40,7 +40,7 @@ class SceneEditorTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void everySceneTakesMassesSpringsAndMusclesAndLosesThemAgain(Path file) {
-        String text = SceneReader.withFiles(file, ClassNames.none());
+        String text = SceneReader.withFiles(file, ClassNames.none(), List.of());
         String masses = edit(edit(text).place(0.1, 1.2, 0.1)).place(0.1, 1.3, 0.1);
         String fixed = edit(masses).toggleFixed("m2");
         assertEquals(masses.replace("[0.1, 1.3, 0.1]}", "[0.1, 1.3, 0.1], fixed: true}"), fixed);
@@ -66,7 +66,7 @@ class SceneEditorTest {
     void withoutAnyOfItsOtherParticlesEachSceneIsAScene() throws IOException {
         int last = 0;
         for (Path file : scenes().toList()) {
-            String text = SceneReader.withFiles(file, ClassNames.none());
+            String text = SceneReader.withFiles(file, ClassNames.none(), List.of());
             for (String id : ids(text)) {
                 if (read(text).particles().count() > 1) {
                     build(edit(text).remove(id));

@@ -66,7 +66,7 @@ public final class LabCommand extends ProgramCommand {
         Map<Path, String> texts = new LinkedHashMap<>();
         for (Path file : scenes) {
             SceneDescription description = SceneReader.read(file, new StudentClasses());
-            texts.put(file, SceneReader.withFiles(file, new StudentClasses()));
+            texts.put(file, SceneReader.withFiles(file, new StudentClasses(), List.of()));
             solvers.add(description.solver());
             description.values().get(SceneFormat.EFFECTS).stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.onMove;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,7 +103,8 @@ class CameraFinderTest {
 
     private static CameraProjection viewOfPushed(DoubleUnaryOperator strength, String solver, double duration) {
         SceneDescription described = SceneReader.read("pushed.yaml", PUSHED.replace("SOLVER", solver)
-                .replace("DURATION", "" + duration).getBytes(StandardCharsets.UTF_8), new StudentClasses());
+                .replace("DURATION", "" + duration).getBytes(StandardCharsets.UTF_8), new StudentClasses(),
+                List.of());
         Push.strength = strength;
         Push.calls = 0;
         return view(described);
