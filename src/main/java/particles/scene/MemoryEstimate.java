@@ -4,7 +4,7 @@ import deSolvers.catalog.SolverCatalog;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.scene.parts.RuleKind;
+import particles.scene.parts.BirthAndDeath;
 import particles.scene.parts.ShapeDescription;
 
 /**
@@ -37,7 +37,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     static MemoryEstimate of(SceneDescription scene) {
         double springs = scene.values().get(SceneFormat.SPRINGS).size()
                 + scene.particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
-        boolean removed = scene.rules().stream().anyMatch(RuleKind::removes);
+        boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind() == BirthAndDeath.KILL);
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         Frames frames = scene.output().frames();

@@ -12,6 +12,7 @@ import particles.law.Obstacle;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.BirthAndDeath;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -54,7 +55,8 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         }
         scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
                 problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
-        rules.stream().filter(RuleKind::merges).forEach(rule -> problems.add(rule.place(), rule.kind().getLabel()
+        rules.stream().filter(rule -> rule.kind() == BirthAndDeath.SAMPLES).forEach(rule ->
+                problems.add(rule.place(), rule.kind().getLabel()
                 + " and 'collisions' cannot be combined: hard balls neither merge nor split"));
     }
 
@@ -67,7 +69,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
             if (known.has(rule.values(), RuleKind.ANCHOR)) {
                 checkAnchor(rule.values().get(RuleKind.ANCHOR), rule.values().place(RuleKind.ANCHOR), moved);
             }
-            if (RuleKind.needsSprings(rule) && problems.count() == 0 && scene.list(SceneFormat.SPRINGS).isEmpty()
+            if (rule.kind() == BirthAndDeath.TEAR && problems.count() == 0 && scene.list(SceneFormat.SPRINGS).isEmpty()
                     && known.getIndex().getShapes().stream().allMatch(shape -> shape.springCount() == 0)) {
                 problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
@@ -76,7 +78,8 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
 
     /** Scales change friction; they need a rule that has some. */
     private void checkScales() {
-        if (scene.isIntact(SceneFormat.RULES) && rules.stream().noneMatch(RuleKind::hasFriction)) {
+        if (scene.isIntact(SceneFormat.RULES) && rules.stream().noneMatch(rule ->
+                rule.values().isGiven(RuleKind.FRICTION))) {
             scene.list(SceneFormat.SHAPES).forEach(shape -> shape.values().find(ShapeKind.SCALES).ifPresent(scales ->
                     problems.add(scales.getPlace(), "'scales' change friction, and no rule has any; add"
                             + " '- ground: {friction: {law: coulomb, coefficient: 0.5}}' to 'rules'")));

@@ -12,14 +12,14 @@ import particles.spec.NumberType;
 import particles.spec.VectorType;
 
 /** The rules for torn springs and for birth and death of particles; {@link RuleCatalog#ALL} lists them. */
-final class BirthAndDeath {
+public final class BirthAndDeath {
     private BirthAndDeath() {
     }
 
     private static final Key<Double> STRAIN = NumberType.positive("").required("strain",
             "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest length.");
 
-    static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.",
+    public static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.",
             (values, assembly) -> assembly.add(new SpringTear(assembly.springs(), values.get(STRAIN))), STRAIN);
 
     static final Key<String> ID = ParticleDescription.NEW_ID.required("id",
@@ -60,7 +60,7 @@ final class BirthAndDeath {
     private static final Key<Vector3> NORMAL = VectorType.notZero("").withDefault("normal", new Vector3(0, 1, 0),
             "A vector to the side where particles survive; its length does not matter.");
 
-    static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.",
+    public static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.",
             (values, assembly) -> assembly.add(Deaths.behind(new Plane(values.get(POINT), values.get(NORMAL)))),
             POINT, NORMAL);
 
@@ -74,7 +74,7 @@ final class BirthAndDeath {
     private static final Key<Double> LIGHTEST = NumberType.positive("kg").required("lightest",
             "No split makes a particle lighter than this (kg).");
 
-    static final RuleKind SAMPLES = new RuleKind("samples",
+    public static final RuleKind SAMPLES = new RuleKind("samples",
             "Merges and splits particles to keep them evenly spaced.",
             (values, assembly) -> assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(),
                     values.get(FARTHEST) * values.get(CLOSEST), values.get(FARTHEST), values.get(LIGHTEST),

@@ -50,7 +50,8 @@ public class RuleKind extends Kind {
 
     static final Key<Double> RESTITUTION = NumberType.between(0, 1, "").withDefault("restitution", 0.5,
             "r: a bounce turns the normal velocity v into -r v. With 0 nothing bounces; with 1 no energy is lost.");
-    static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD,
+    /** Of the rules for solids. */
+    public static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD,
             IN_IMPACTS)
             .optional("friction", "Friction on particles in contact with the surface; no friction if left out.");
     static final Key<Double> REST_SPEED = NumberType.notNegative("m/s").withDefault("restSpeed", 0.01,
@@ -106,29 +107,9 @@ public class RuleKind extends Kind {
                 && rule.values().get(RESTITUTION) > 0 && rule.values().get(RESTITUTION) < 1;
     }
 
-    /** @return whether this rule of a scene names a friction, correct or not */
-    public static boolean hasFriction(Chosen<RuleKind> rule) {
-        return rule.values().isGiven(FRICTION);
-    }
-
     /** @return whether this rule of a scene makes hard balls of particles */
     public static boolean hasBalls(Chosen<RuleKind> rule) {
         return rule.kind() == COLLISIONS;
-    }
-
-    /** @return whether this rule of a scene merges and splits particles */
-    public static boolean merges(Chosen<RuleKind> rule) {
-        return rule.kind() == BirthAndDeath.SAMPLES;
-    }
-
-    /** @return whether this rule of a scene removes particles of any origin */
-    public static boolean removes(Chosen<RuleKind> rule) {
-        return rule.kind() == BirthAndDeath.KILL;
-    }
-
-    /** @return whether this rule of a scene acts on springs only */
-    public static boolean needsSprings(Chosen<RuleKind> rule) {
-        return rule.kind() == BirthAndDeath.TEAR;
     }
 
     /** A rule for particles that meet a solid. */
