@@ -20,6 +20,7 @@ import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.scene.BlowUpMessage;
 import particles.scene.Scene;
+import particles.scene.format.SceneFormat;
 
 /** One run of a scene as {@code gradle run} makes it, with what a judge of its physics asks. */
 final class Trial implements Observer {
@@ -217,7 +218,7 @@ final class Trial implements Observer {
 
     /** The change of momentum of a free system, relative to the sum of all sizes; 0 if something outside acts. */
     double momentum() {
-        boolean free = scene.description().constraints().wires().isEmpty() && !hasSurfaces()
+        boolean free = scene.description().values().get(SceneFormat.WIRES).isEmpty() && !hasSurfaces()
                 && system.getEffects().stream().allMatch(e -> e.getTraits().contains(Effect.Trait.INTERNAL));
         double[] change = new double[3];
         double size = 0;

@@ -13,7 +13,6 @@ import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.reactions.Curve;
 import particles.scene.format.SceneFormat;
-import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.SpringDescription;
@@ -59,7 +58,7 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         wires.forEach(this::check);
         Values settings = scene.mapping(SceneFormat.CONSTRAINTS);
         if (!(rods.isEmpty() && wires.isEmpty()) && settings.isSound()) {
-            checkFeedback(settings.get(ConstraintDescription.FEEDBACK));
+            checkFeedback(settings.get(SpringDescription.FEEDBACK));
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
@@ -14,8 +15,12 @@ import particles.effects.springs.SpringForce;
 import particles.law.CentralForce;
 import particles.law.Effect;
 import particles.law.Violation;
+import particles.reactions.Curve;
 import particles.reactions.RestingContacts;
+import particles.reactions.RigidConstraints;
 import particles.rules.ClampedImpacts;
+import particles.rules.Collisions;
+import particles.rules.ConstraintProjection;
 import particles.rules.ExactImpacts;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -28,6 +33,7 @@ import particles.scene.parts.SceneAssembly;
 import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.scene.parts.SpringFamily;
+import particles.scene.parts.WireKind;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
@@ -109,7 +115,7 @@ public final class SceneBuilder {
                 simulation.addRule(new ClampedImpacts(contacts.get()));
             }
         }
-        scene.constraints().build(simulation, index, assembly, contacts);
+        addConstraints(scene, simulation, assembly, contacts);
         if (scene.hasHardBalls()) {
             simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), scene));
         }
@@ -118,6 +124,47 @@ public final class SceneBuilder {
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
+    }
+
+    /** Adds rods, wires and collisions of balls, if there are any; they are solved together with these contacts. */
+    private static void addConstraints(SceneDescription scene, Simulation simulation, SceneAssembly assembly,
+            Optional<RestingContacts> contacts) {
+        List<Values> rods = scene.values().get(SceneFormat.RODS);
+        List<Chosen<WireKind>> wires = scene.values().get(SceneFormat.WIRES);
+        if (rods.isEmpty() && wires.isEmpty() && assembly.getBalls().isEmpty()) {
+            return;
+        }
+        ParticleSystem system = simulation.getSystem();
+        ParticleIndex index = scene.particles();
+        Values settings = scene.values().mapping(SceneFormat.CONSTRAINTS);
+        RigidConstraints constraints = new RigidConstraints(
+                contacts.orElseGet(() -> new RestingContacts(system, List.of())),
+                settings.get(SpringDescription.FEEDBACK));
+        for (Values rod : rods) {
+            String from = rod.get(SpringDescription.FROM);
+            String to = rod.get(SpringDescription.TO);
+            constraints.addRod(index.find(from).orElseThrow(), index.find(to).orElseThrow(),
+                    index.way(from, to).length());
+        }
+        for (Chosen<WireKind> wire : wires) {
+            String bead = wire.values().get(WireKind.BEAD);
+            Curve curve = wire.kind().curve(wire.values(), index.position(bead));
+            constraints.addBead(index.find(bead).orElseThrow(), curve);
+            assembly.show(curve);
+        }
+        for (Rule rule : List.copyOf(simulation.getRules())) {
+            if (rule instanceof ExactImpacts impacts) {
+                assembly.getBalls().map(balls -> new Collisions(impacts, constraints, balls)).ifPresent(collisions -> {
+                    simulation.addRule(collisions);
+                    assembly.set(collisions);
+                });
+            }
+        }
+        system.addReaction(constraints);
+        constraints.project(system.getOwnState(), system.getTime());        // positions in files have few digits
+        if (settings.get(SpringDescription.PROJECTION)) {
+            simulation.addRule(new ConstraintProjection(constraints));
+        }
     }
 
     private static void checkDirections(ParticleSystem system, SceneDescription scene) {

@@ -3,7 +3,6 @@ package particles.scene.format;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.spec.Key;
@@ -51,12 +50,6 @@ public record SceneDescription(Values values, ParticleIndex particles, Drawing d
     /** @return the name of the solver */
     public String solver() {
         return solving().name();
-    }
-
-    /** @return the rods and wires */
-    public ConstraintDescription constraints() {
-        return new ConstraintDescription(values.get(SceneFormat.RODS), values.get(SceneFormat.WIRES),
-                values.mapping(SceneFormat.CONSTRAINTS));
     }
 
     /** @return the time step (s) */

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
-import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.RuleCatalog;
 import particles.scene.parts.RuleKind;
@@ -46,8 +45,8 @@ public final class SceneFormat {
             "Ropes, cloths, blocks and meshes: many particles and springs at once.");
     public static final Key<List<Values>> SPRINGS = ListType.of("a spring", SpringDescription.TYPE)
             .withDefault("springs", List.of(), "Springs between any two particles.");
-    public static final Key<List<Values>> RODS = ListType.of("a rod", ConstraintDescription.ROD)
-            .withDefault("rods", List.of(),
+    public static final Key<List<Values>> RODS = ListType.of("a rod", MappingType.of("a rod",
+            SpringDescription.FROM, SpringDescription.TO)).withDefault("rods", List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
     public static final Key<List<Values>> LINES = ListType.of("a line", MappingType.of("a line",
             SpringDescription.FROM, SpringDescription.TO)).withDefault("lines", List.of(),
@@ -59,7 +58,8 @@ public final class SceneFormat {
             "The faces of a shaded surface that any particles span, such as '- [a, b, c]'.");
     public static final Key<List<Chosen<WireKind>>> WIRES = ListType.of("a wire", new KindType<>("wire", WireKind.ALL))
             .withDefault("wires", List.of(), "Wires that particles slide along.");
-    public static final Key<Values> CONSTRAINTS = ConstraintDescription.TYPE.optional("constraints",
+    public static final Key<Values> CONSTRAINTS = MappingType.of("'constraints'",
+            SpringDescription.FEEDBACK, SpringDescription.PROJECTION).optional("constraints",
             "How rods and wires are enforced.");
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = ListType.of("an effect", new KindType<>("effect",
             EffectCatalog.ALL, Optional.of(EffectKind.class))).withDefault("effects", List.of(),

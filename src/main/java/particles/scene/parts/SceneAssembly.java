@@ -121,7 +121,8 @@ public final class SceneAssembly implements EffectContext {
         this.balls = Optional.of(balls);
     }
 
-    void set(Collisions rule) {
+    /** @param rule the rule for collisions */
+    public void set(Collisions rule) {
         collisions = Optional.of(rule);
     }
 
@@ -146,7 +147,7 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /** @param wire a wire to be drawn */
-    void show(CurveView wire) {
+    public void show(CurveView wire) {
         wires.add(wire);
     }
 

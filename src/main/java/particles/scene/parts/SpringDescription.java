@@ -1,11 +1,13 @@
 package particles.scene.parts;
 
+import particles.reactions.RigidConstraints;
+import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.MappingType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
 
-/** The keys of a spring, of which rods have the ends. */
+/** The keys of springs; of rods, which have the same ends; and of how rods and wires are enforced. */
 public final class SpringDescription {
     private SpringDescription() {
     }
@@ -24,4 +26,11 @@ public final class SpringDescription {
             "k_d, the force per m/s of stretching (N s/m).");
 
     public static final MappingType TYPE = MappingType.of("a spring", FROM, TO, STIFFNESS, REST_LENGTH, DAMPING);
+
+    public static final Key<Double> FEEDBACK = NumberType.notNegative("1/s").withDefault("feedback",
+            RigidConstraints.USUAL_FEEDBACK,
+            "The rate at which errors of length decay (1/s); values far above 0.1/deltaT make the run less accurate.");
+    public static final Key<Boolean> PROJECTION = FlagType.FLAG.withDefault("projection", false,
+            "true: after every step, particles are moved so that rods have their exact length and beads are"
+            + " on their wires.");
 }
