@@ -28,11 +28,6 @@ public abstract class EffectKind extends Kind {
      */
     public abstract void build(Values values, EffectContext scene);
 
-    /** @return the radius with which balls are drawn unless the scene says otherwise (m); 0 if the effect has none */
-    public double ballRadius(Values values) {
-        return 0;
-    }
-
     /** @return a warning for the person who runs a scene with this number of particles, if there is one */
     public Optional<String> remark(int particles) {
         return Optional.empty();

@@ -166,11 +166,6 @@ public final class Repulsion extends ShortRangeForce implements DivisibleEffect,
         }
 
         @Override
-        public double ballRadius(Values values) {
-            return values.get(SharedKeys.BALL_RADIUS);
-        }
-
-        @Override
         public void build(Values values, EffectContext scene) {
             Repulsion repulsion = new Repulsion(scene.particles(), values.get(SharedKeys.BALL_RADIUS),
                     values.get(LAW).equals("hertz"), values.get(STIFFNESS), values.get(LOSS));

@@ -13,7 +13,7 @@ import particles.spec.VectorType;
 public final class SharedKeys {
     /** Names a particle. */
     public static final TextType PARTICLE = TextType.of("the id of a particle, such as bob or cloth[3,4]", "\\S");
-    /** For 'repulsion' and 'collisions'. */
+    /** For 'repulsion' and 'collisions': a kind that has this key makes balls of particles, which are drawn so. */
     public static final Key<Double> BALL_RADIUS = NumberType.positive("m").required("radius",
             "The radius of every ball without a radius of its own (m).");
     /** The seed of random numbers. */

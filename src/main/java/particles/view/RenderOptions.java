@@ -55,12 +55,7 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
 
     /** @return the same options with another style of particles */
     public RenderOptions withStyle(ParticleStyle other) {
-        return withBalls(particleRadius, other);
-    }
-
-    /** @return the same options with another radius (m) and style of particles */
-    public RenderOptions withBalls(double radius, ParticleStyle other) {
-        return new RenderOptions(particles, springs, radius, strainRange, colours, other);
+        return new RenderOptions(particles, springs, particleRadius, strainRange, colours, other);
     }
 
     /**

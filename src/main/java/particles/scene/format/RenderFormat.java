@@ -1,9 +1,17 @@
 package particles.scene.format;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
+import particles.effects.SharedKeys;
+import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Key;
+import particles.spec.Kind.Chosen;
 import particles.spec.ListType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
@@ -87,32 +95,49 @@ public final class RenderFormat {
     private RenderFormat() {
     }
 
-    /** @return the render options with these values */
-    public static RenderOptions of(Values values) {
-        return new RenderOptions(values.get(PARTICLES), values.get(SPRINGS), values.get(PARTICLE_RADIUS),
-                values.get(STRAIN_RANGE), new RenderOptions.Colours(rgb(values.get(PARTICLE_COLOUR)),
-                rgb(values.get(FIXED_COLOUR)), rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR)),
-                values.find(SPRING_COLOUR).map(RenderFormat::rgb), background(values)),
-                style(values));
-    }
-
-    private static Optional<Integer> background(Values values) {
-        return values.find(BACKGROUND).map(RenderFormat::rgb);
-    }
-
-    private static ParticleStyle style(Values values) {
-        Kind kind = values.get(PARTICLES_AS);
-        List<Integer> colours = values.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
+    /**
+     * @param scene the values in the file, without mistakes
+     * @param index its particles
+     * @return the look of the scene. Balls have their radius: that of an effect or a rule, or their own; a shape's
+     *         mark is that of its particles
+     */
+    public static RenderOptions of(Values scene, ParticleIndex index) {
+        Values look = scene.mapping(SceneFormat.LOOK);
+        double radius = Stream.concat(Stream.of(look.get(PARTICLE_RADIUS)),
+                Stream.<Chosen<?>>concat(scene.get(SceneFormat.EFFECTS).stream(), scene.get(SceneFormat.RULES).stream())
+                .filter(chosen -> chosen.kind().getKeys().stream().anyMatch(key -> key == SharedKeys.BALL_RADIUS))
+                .map(chosen -> chosen.values().get(SharedKeys.BALL_RADIUS))).filter(given -> given > 0).findFirst()
+                .orElse(0.0);
+        Optional<Integer> background = look.find(BACKGROUND).map(RenderFormat::rgb);
+        Kind kind = look.get(PARTICLES_AS);
+        List<Integer> colours = look.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
                 .orElse(ParticleStyle.STANDARD.ageColours());
-        boolean night = values.find(SKY).map("night"::equals)
-                .or(() -> background(values).map(RenderFormat::isDark)).orElse(kind == Kind.GLOW);
-        return new ParticleStyle(kind, colours, values.get(TRAIL), night, values.get(VELOCITY_ARROWS),
-                values.get(MARKS).stream().map(RenderFormat::mark).toList());
+        boolean night = look.find(SKY).map("night"::equals).or(() -> background.map(RenderFormat::isDark))
+                .orElse(kind == Kind.GLOW);
+        return new RenderOptions(look.get(PARTICLES), look.get(SPRINGS), radius, look.get(STRAIN_RANGE),
+                new RenderOptions.Colours(rgb(look.get(PARTICLE_COLOUR)), rgb(look.get(FIXED_COLOUR)),
+                rgb(look.get(FRONT_COLOUR)), rgb(look.get(BACK_COLOUR)),
+                look.find(SPRING_COLOUR).map(RenderFormat::rgb), background), new ParticleStyle(kind, colours,
+                look.get(TRAIL), night, look.get(VELOCITY_ARROWS), marks(look.get(MARKS), index)));
     }
 
-    private static ParticleMark mark(Values values) {
-        return new ParticleMark(values.get(MARKED), values.find(MARK_COLOUR).map(RenderFormat::rgb),
-                values.get(MARK_RADIUS), values.find(LABEL).orElse(""), values.find(MARK_TRAIL));
+    private static List<ParticleMark> marks(List<Values> given, ParticleIndex index) {
+        Map<String, ParticleMark> marks = new LinkedHashMap<>();
+        Stream.concat(index.getParticles().stream(), index.getShapes().stream().filter(shape ->
+                shape.radius().isPresent()).flatMap(ShapeDescription::particles)).forEach(particle ->
+                particle.radius().ifPresent(own -> marks.put(particle.id(),
+                        new ParticleMark(particle.id(), Optional.empty(), own, ""))));
+        for (Values mark : given) {
+            String named = mark.get(MARKED);
+            index.shape(named).map(shape -> shape.particles().map(ParticleDescription::id)).orElse(Stream.of(named))
+                    .forEach(id -> {
+                        double before = marks.containsKey(id) ? marks.get(id).radius() : 0;
+                        double own = mark.get(MARK_RADIUS);
+                        marks.put(id, new ParticleMark(id, mark.find(MARK_COLOUR).map(RenderFormat::rgb),
+                                own > 0 ? own : before, mark.find(LABEL).orElse(""), mark.find(MARK_TRAIL)));
+                    });
+        }
+        return List.copyOf(marks.values());
     }
 
     /** Reports keys that cannot be combined. */
