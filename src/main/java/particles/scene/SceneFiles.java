@@ -49,28 +49,24 @@ public final class SceneFiles {
             return typed.get();
         }
         // names of scenes contain no folder
-        if (typed.filter(path -> path.getNameCount() > 1 || path.isAbsolute()).isPresent()) {
-            throw new InvalidInputException(noFile(folder, typed.get()));
-        }
-        List<Path> found = list(folder).stream()
+        boolean inFolder = typed.filter(path -> path.getNameCount() > 1 || path.isAbsolute()).isPresent();
+        List<Path> found = inFolder ? List.of() : list(folder).stream()
                 .filter(file -> SceneName.of(file).isCalled(wanted.replaceFirst("\\.yaml$", ""))).toList();
         if (found.size() == 1) {
             return found.get(0);
         }
         throw new InvalidInputException(!found.isEmpty() ? Wording.quote(wanted) + " matches more than one scene: "
                 + String.join(", ", found.stream().map(Path::toString).toList()) + "; give the whole name"
-                : typed.filter(Files::exists).map(path -> noFile(folder, path))
+                : typed.filter(path -> inFolder || Files.exists(path)).map(path -> noFile(folder, path))
                         .orElseGet(() -> "there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
     }
 
     /** The message for a path that is not a scene. */
     private static String noFile(Path folder, Path typed) {
         String quoted = Wording.quoteWhole(typed.toString());
-        if (Files.isDirectory(typed)) {
-            return quoted + " is a folder; a scene is a file";
-        }
         if (Files.exists(typed)) {
-            return quoted + " is a device, a pipe or a socket; a scene is an ordinary file";
+            return quoted + " is " + (Files.isDirectory(typed) ? "a folder" : "a device, a pipe or a socket")
+                    + "; a scene is an ordinary file";
         }
         Path parent = typed.getParent();
         if (parent != null && !Files.isDirectory(parent)) {
@@ -92,9 +88,8 @@ public final class SceneFiles {
     private static String nearest(Path folder, String wanted) {
         List<SceneName> scenes = list(folder).stream().map(SceneName::of).toList();
         String bare = SceneName.of(wanted.replace('\\', '/').replaceFirst(".*/", "")).bare();
-        String known = " scenes: " + String.join(", ", scenes.stream().map(SceneName::whole).toList());
-        return (bare.length() < 3 || bare.length() > 60 ? ";"
-                : DidYouMean.hint(bare, scenes.stream().map(SceneName::bare).toList(), "'%s'"::formatted)) + known;
+        return Wording.hint(bare, scenes.stream().map(SceneName::bare).toList()) + " scenes: "
+                + String.join(", ", scenes.stream().map(SceneName::whole).toList());
     }
 
     /**

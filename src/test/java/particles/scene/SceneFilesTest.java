@@ -58,7 +58,7 @@ class SceneFilesTest {
         Path nowhere = folder.resolve("no/a.yaml");
         assertEquals("there is no file '" + nowhere + "', as there is no folder '" + nowhere.getParent() + "'",
                 refusal(nowhere.toString()));
-        assertEquals("'" + folder + "' is a folder; a scene is a file", refusal(folder.toString()));
+        assertEquals("'" + folder + "' is a folder; a scene is an ordinary file", refusal(folder.toString()));
         assumeTrue(Files.exists(Path.of("/dev/null")));
         assertEquals("'/dev/null' is a device, a pipe or a socket; a scene is an ordinary file",
                 refusal("/dev/null"));
