@@ -1,5 +1,7 @@
 package particles.scene;
 
+import static particles.spec.messages.Wording.quote;
+
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -8,6 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.DoubleFunction;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.law.Vector3;
@@ -46,12 +51,20 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     /** The number of Newton steps; far from a wire one step on each function may only halve the distance. */
     private static final int STEPS = 200;
 
+    /** A spring, rod or line with known ends; way leads from one to the other at the start (m). */
+    private record Link(Values values, String from, String to, Vector3 way) {
+        boolean isApart() {
+            return !way.isZero();
+        }
+    }
+
     void check() {
-        withKnownEnds(SceneFormat.SPRINGS).forEach(spring -> checkEnds("spring", spring));
-        withKnownEnds(SceneFormat.LINES).forEach(line -> checkEnds("line", line));
+        links(SceneFormat.SPRINGS).forEach(spring -> checkEnds("spring", spring));
+        links(SceneFormat.LINES).forEach(line -> checkEnds("line", line));
         scene.list(SceneFormat.FACES).stream().filter(Values::isSound).forEach(this::checkFace);
-        List<Values> rods = withKnownEnds(SceneFormat.RODS);
-        rods.stream().filter(rod -> checkEnds("rod", rod)).forEach(this::checkMotion);
+        List<Link> rods = links(SceneFormat.RODS);
+        rods.forEach(rod -> checkEnds("rod", rod));
+        rods.stream().filter(Link::isApart).forEach(rod -> checkMotion(rod, rods));
         checkLines(rods);
         List<Chosen<WireKind>> wires = scene.list(SceneFormat.WIRES).stream().filter(wire ->
                 known.has(wire.values(), WireKind.BEAD) && wire.values().isSound()).toList();
@@ -71,64 +84,59 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         corners.forEach(id -> known.has(id, place));
     }
 
-    private static String from(Values rod) {
-        return rod.get(SpringDescription.FROM);
-    }
-
-    private static String to(Values rod) {
-        return rod.get(SpringDescription.TO);
-    }
-
-    private List<Values> withKnownEnds(Key<List<Values>> list) {
+    private List<Link> links(Key<List<Values>> list) {
         return scene.list(list).stream().filter(values -> known.has(values, SpringDescription.FROM)
-                & known.has(values, SpringDescription.TO) && values.isSound()).toList();
+                & known.has(values, SpringDescription.TO) && values.isSound()).map(values -> {
+                    String from = values.get(SpringDescription.FROM);
+                    String to = values.get(SpringDescription.TO);
+                    return new Link(values, from, to, index.way(from, to));
+                }).toList();
     }
 
     /**
-     * Whether a spring or rod has two ends at different places; if not, that is a problem, unless it is an undamped
-     * spring of rest length 0, whose force there is 0.
+     * Reports a spring or rod without two ends at different places, unless it is an undamped spring of rest length 0,
+     * whose force there is 0.
      */
-    private boolean checkEnds(String what, Values values) {
-        String from = from(values);
-        String to = to(values);
-        Place place = values.place(SpringDescription.TO);
-        boolean apart = !index.way(from, to).isZero();
-        if (from.equals(to)) {
-            problems.add(place, "a " + what + " from " + Wording.quote(from)
+    private void checkEnds(String what, Link link) {
+        Place place = link.values.place(SpringDescription.TO);
+        String samePlace = quote(link.from) + " and " + quote(link.to) + " are at the same place; ";
+        if (link.from.equals(link.to)) {
+            problems.add(place, "a " + what + " from " + quote(link.from)
                     + " to itself; its ends must be two different particles");
-        } else if (!apart && what.equals("rod")) {
-            problems.add(place, samePlace(from, to) + "; a rod between them would have no length");
-        } else if (!apart && !values.find(SpringDescription.REST_LENGTH).equals(Optional.of(0.0))) {
-            problems.add(place, samePlace(from, to) + "; a spring between them would have no direction, unless it"
-                    + " has restLength: 0");
-        } else if (!apart && values.get(SpringDescription.DAMPING) > 0) {
-            problems.add(place, samePlace(from, to) + "; the damping of a spring between them would have"
-                    + " no direction");
+        } else if (link.isApart()) {
+            return;
+        } else if (what.equals("rod")) {
+            problems.add(place, samePlace + "a rod between them would have no length");
+        } else if (!link.values.find(SpringDescription.REST_LENGTH).equals(Optional.of(0.0))) {
+            problems.add(place, samePlace + "a spring between them would have no direction, unless it has"
+                    + " restLength: 0");
+        } else if (link.values.get(SpringDescription.DAMPING) > 0) {
+            problems.add(place, samePlace + "the damping of a spring between them would have no direction");
         }
-        return apart;
     }
 
-    private static String samePlace(String from, String to) {
-        return Wording.quote(from) + " and " + Wording.quote(to) + " are at the same place";
-    }
-
-    private void checkMotion(Values rod) {
-        String from = from(rod);
-        String to = to(rod);
-        Place place = rod.place(SpringDescription.TO);
-        Vector3 way = index.way(from, to);
-        if (index.particle(from).fixed() && index.particle(to).fixed()) {
-            problems.add(place, Wording.quote(from) + " and " + Wording.quote(to)
+    private void checkMotion(Link rod, List<Link> rods) {
+        Place place = rod.values.place(SpringDescription.TO);
+        double rate = velocity(rod.to).minus(velocity(rod.from)).dot(rod.way) / rod.way.length();
+        if (index.particle(rod.from).fixed() && index.particle(rod.to).fixed()) {
+            problems.add(place, quote(rod.from) + " and " + quote(rod.to)
                     + " are fixed; a rod between them has no effect");
-        } else {
-            double rate = velocity(to).minus(velocity(from)).dot(way) / way.length();
-            if (Math.abs(rate) > STILL) {
-                problems.add(place, "the ends of the rod from " + Wording.quote(from) + " to " + Wording.quote(to)
-                        + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
-                        + " m/s; their relative velocity must be across the rod" + moving(from, to)
-                        + fitting(from, to));
-            }
+        } else if (Math.abs(rate) > STILL) {
+            Map<String, Vector3> fitting = fittingVelocities(rods);
+            problems.add(place, "the ends of the rod from " + quote(rod.from) + " to " + quote(rod.to)
+                    + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
+                    + " m/s; their relative velocity must be across the rod"
+                    + each(rod, id -> motionOf(id).isPresent(), id -> " begins with "
+                    + written(velocity(id), Digits::few) + " m/s")
+                    + each(rod, id -> fitting.containsKey(id) && !fitting.get(id).equals(velocity(id)), id ->
+                    " fits with velocity: " + written(fitting.get(id), Digits::exact)));
         }
+    }
+
+    /** What holds for the ends of a rod that are of some sort. */
+    private static String each(Link rod, Predicate<String> which, UnaryOperator<String> what) {
+        return Stream.of(rod.from, rod.to).filter(which).map(id -> "; " + quote(id) + what.apply(id))
+                .collect(Collectors.joining());
     }
 
     /** The velocity of a particle at the start; for a moving anchor, that of its motion. */
@@ -142,38 +150,22 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                 && rule.values().find(RuleKind.ANCHOR).filter(id::equals).isPresent()).findFirst();
     }
 
-    private String moving(String... ends) {
-        return Stream.of(ends).filter(id -> motionOf(id).isPresent())
-                .map(id -> "; " + Wording.quote(id) + " begins with " + components(velocity(id)) + " m/s").findFirst()
-                .orElse("");
-    }
-
-    /** The velocities of these ends with which no rod's ends move apart or together, if there are any. */
-    private String fitting(String... ends) {
-        Map<String, Vector3> fitting = fittingVelocities();
-        return Stream.of(ends).filter(fitting::containsKey).filter(id -> !fitting.get(id).equals(velocity(id)))
-                .map(id -> "; " + Wording.quote(id) + " fits with velocity: " + exactly(fitting.get(id)))
-                .collect(Collectors.joining());
-    }
-
     /**
      * The nearest velocities with which all rods keep their lengths, by particle; empty if there are none. Each rod in
      * turn corrects those of its ends (S. Kaczmarz 1937).
      */
-    private Map<String, Vector3> fittingVelocities() {
+    private Map<String, Vector3> fittingVelocities(List<Link> rods) {
         Map<String, Vector3> velocities = new HashMap<>();
-        List<Values> rods = withKnownEnds(SceneFormat.RODS).stream().filter(rod ->
-                !index.way(from(rod), to(rod)).isZero()).toList();
         double worst = Double.POSITIVE_INFINITY;
         for (int sweep = 0; sweep < MOST_SWEEPS && worst > STILL / 2; sweep++) {
             worst = 0;
-            for (Values rod : rods) {
-                List<String> ends = List.of(from(rod), to(rod));
+            for (Link rod : rods.stream().filter(Link::isApart).toList()) {
+                List<String> ends = List.of(rod.from, rod.to);
                 ends.forEach(end -> velocities.computeIfAbsent(end, this::velocity));
-                Vector3 along = index.way(from(rod), to(rod)).normalized();
-                double rate = velocities.get(to(rod)).minus(velocities.get(from(rod))).dot(along);
+                Vector3 along = rod.way.normalized();
+                double rate = velocities.get(rod.to).minus(velocities.get(rod.from)).dot(along);
                 List<String> free = ends.stream().filter(end -> !index.particle(end).fixed()).toList();
-                free.forEach(end -> velocities.merge(end, along.times((end.equals(from(rod)) ? rate : -rate)
+                free.forEach(end -> velocities.merge(end, along.times((end.equals(rod.from) ? rate : -rate)
                         / free.size()), Vector3::plus));
                 worst = Math.max(worst, Math.abs(rate));
             }
@@ -181,49 +173,42 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         return worst <= STILL / 2 ? velocities : Map.of();
     }
 
-    private static String exactly(Vector3 v) {
-        return "[" + Digits.exact(v.x()) + ", " + Digits.exact(v.y()) + ", " + Digits.exact(v.z()) + "]";
-    }
-
-    private static String components(Vector3 v) {
-        return "[" + Digits.few(v.x()) + ", " + Digits.few(v.y()) + ", " + Digits.few(v.z()) + "]";
+    private static String written(Vector3 v, DoubleFunction<String> digits) {
+        return "[" + digits.apply(v.x()) + ", " + digits.apply(v.y()) + ", " + digits.apply(v.z()) + "]";
     }
 
     /**
      * Refuses rods that form a triangle or polygon without area. Their lengths forbid a motion across the line, but
      * forces along the line cannot prevent it.
      */
-    private void checkLines(List<Values> rods) {
+    private void checkLines(List<Link> rods) {
         Map<String, Set<String>> joined = new HashMap<>();
-        for (Values rod : rods) {
-            joined.computeIfAbsent(from(rod), id -> new LinkedHashSet<>()).add(to(rod));
-            joined.computeIfAbsent(to(rod), id -> new LinkedHashSet<>()).add(from(rod));
+        for (Link rod : rods) {
+            joined.computeIfAbsent(rod.from, id -> new LinkedHashSet<>()).add(rod.to);
+            joined.computeIfAbsent(rod.to, id -> new LinkedHashSet<>()).add(rod.from);
         }
-        for (Values rod : rods) {
-            String from = from(rod);
-            String to = to(rod);
-            List<String> line = new ArrayList<>(List.of(from));
-            for (int k = 0; k < line.size() && !line.contains(to); k++) {
+        for (Link rod : rods) {
+            List<String> line = new ArrayList<>(List.of(rod.from));
+            for (int k = 0; k < line.size() && !line.contains(rod.to); k++) {
                 for (String next : joined.get(line.get(k))) {
-                    if (!line.contains(next) && !(k == 0 && next.equals(to)) && isBetween(from, to, next)) {
+                    if (!line.contains(next) && !(k == 0 && next.equals(rod.to)) && isOn(rod, next)) {
                         line.add(next);
                     }
                 }
             }
-            if (line.size() > 1 && line.contains(to)) {
-                problems.add(rod.getPlace(), "the rods between " + Wording.some(line)
+            if (line.size() > 1 && line.contains(rod.to)) {
+                problems.add(rod.values.getPlace(), "the rods between " + Wording.some(line)
                         + " lie in one line, which only infinite forces could keep straight; leave out the rod from "
-                        + Wording.quote(from) + " to " + Wording.quote(to));
+                        + quote(rod.from) + " to " + quote(rod.to));
             }
         }
     }
 
-    /** Whether a particle begins on the line between two others, or where the second does. */
-    private boolean isBetween(String from, String to, String id) {
-        Vector3 way = index.way(from, to);
-        Vector3 there = index.way(from, id);
-        double part = there.dot(way) / way.dot(way);
-        return part > 0 && part <= 1 && there.minus(way.times(part)).length() <= IN_LINE * way.length();
+    /** Whether a particle begins on the line between the ends of a rod, or where it ends. */
+    private boolean isOn(Link rod, String id) {
+        Vector3 there = index.way(rod.from, id);
+        double part = there.dot(rod.way) / rod.way.dot(rod.way);
+        return part > 0 && part <= 1 && there.minus(rod.way.times(part)).length() <= IN_LINE * rod.way.length();
     }
 
     private void check(Chosen<WireKind> wire) {
@@ -231,7 +216,7 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         Vector3 x = index.position(bead);
         Vector3 v = index.particle(bead).velocity();
         if (index.particle(bead).fixed()) {
-            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead)
+            problems.add(wire.values().place(WireKind.BEAD), quote(bead)
                     + " is fixed; a bead must be free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
@@ -239,7 +224,7 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                 double off = Math.abs(surface.value(x));
                 double leaving = Math.abs(surface.gradient(x).dot(v));
                 if (off > ON_WIRE || leaving > STILL) {
-                    problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (off > ON_WIRE
+                    problems.add(wire.values().place(WireKind.BEAD), quote(bead) + (off > ON_WIRE
                             ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
                             : " leaves its wire at " + Digits.exact(leaving)
                                     + " m/s; its velocity must be along the wire"));
