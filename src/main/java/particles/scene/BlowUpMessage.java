@@ -14,11 +14,8 @@ import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
-import particles.law.DifferentiableEffect;
 import particles.law.Effect;
-import particles.law.Reaction;
 import particles.reactions.RestingContacts;
-import particles.reactions.RigidConstraints;
 
 /**
  * The message for a run that cannot go on, in up to three lines: the event and its place; the cause, such as the factor
@@ -138,22 +135,7 @@ public final class BlowUpMessage {
                     + " at any deltaT", rule.forSprings(known));
         }
         return limits.isExceededBy(known) ? List.of(limits.excess(known), rule.forSprings(known))
-                : List.of(notSprings(), rule.forOtherForces());
-    }
-
-    private String notSprings() {
-        Optional<String> rods = scene.system().getReactions().stream().filter(RigidConstraints.class::isInstance)
-                .map(Reaction::getName).filter(name -> !name.equals("collisions")).findFirst();
-        if (rods.isPresent()) {
-            return "no spring is too stiff for this deltaT, but what turns fast on " + rods.get()
-                    + " needs shorter steps";
-        }
-        Optional<String> own = scene.system().getEffects().stream()
-                .filter(effect -> !(effect instanceof DifferentiableEffect)).map(Effect::getName).findFirst();
-        if (own.isPresent()) {
-            return "springs are not the cause; how long deltaT may be for the force '" + own.get() + "' is not known";
-        }
-        return limits.isKnown() ? "springs are not the cause: deltaT is within the limit of " + solver
-                : "without springs, it is not known how long deltaT may be";
+                : List.of(limits.isKnown() ? "springs are not the cause: deltaT is within their limit with " + solver
+                        : "without springs, it is not known how long deltaT may be", rule.forOtherForces());
     }
 }
