@@ -35,11 +35,6 @@ import particles.spec.messages.Wording;
 record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems, KnownParticles known) {
     private static final int MOST_RULES = 50;
 
-    /** @return whether a rule makes particles, so that a scene may begin without any */
-    boolean giveBirth() {
-        return rules.stream().anyMatch(rule -> RuleKind.alive(rule.values(), 1, 1) > 0);
-    }
-
     /** Hard balls are named once, located at their impacts and neither merged nor split. */
     private void checkBalls() {
         List<Chosen<RuleKind>> balls = rules.stream().filter(RuleKind::hasBalls).toList();

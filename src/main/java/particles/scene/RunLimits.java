@@ -13,7 +13,6 @@ import particles.spec.messages.Problems;
 public final class RunLimits {
     private static final double MOST_STEPS = 1e10;
     private static final double MOST_FRAMES = 1e6;
-    private static final double SOME_FRAMES = 1000;
     private static final double MEGABYTE = 1 << 20;
     /** Nobody is advised to give Java more memory than a large personal computer has. */
     private static final double MOST_GIGABYTES = 64;
@@ -44,9 +43,8 @@ public final class RunLimits {
         if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
             throw new InvalidInputException(scene.values().place(SceneFormat.DURATION) + ": a duration of "
                     + Digits.exact(scene.duration()) + " s needs more than a million pictures at frameRate = "
-                    + Digits.exact(frameRate) + "; in the scene, output: {frameRate: "
-                    + Digits.roundedDown(SOME_FRAMES / scene.duration(), 2) + "} draws " + (int) SOME_FRAMES + ", and "
-                    + option + "=false none");
+                    + Digits.exact(frameRate) + "; give a lower frameRate under 'output', or " + option
+                    + "=false for none");
         }
     }
 

@@ -38,16 +38,13 @@ final class SceneChecks {
     static Optional<SceneDescription> describe(Values scene, NamedFiles files, Problems problems) {
         KnownParticles known = new KnownParticles(scene, files, problems);
         ParticleIndex index = known.getIndex();
-        RuleChecks rules = new RuleChecks(scene.list(SceneFormat.RULES), scene, problems, known);
         if (index.count() == 0 && problems.count() == 0) {
-            problems.add(scene.getPlace(), rules.giveBirth()
-                    ? "the scene has no particle at the start, and emitters add theirs only later; add one under"
-                            + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
-                    : "the scene has no particle; add some under 'particles' or 'shapes'");
+            problems.add(scene.getPlace(),
+                    "the scene has no particle at the start; add some under 'particles' or 'shapes'");
         }
         new ConstraintChecks(scene, problems, known, index).check();
         checkEffects(scene, problems, known);
-        rules.check();
+        new RuleChecks(scene.list(SceneFormat.RULES), scene, problems, known).check();
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))

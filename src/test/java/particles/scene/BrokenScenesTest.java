@@ -443,7 +443,7 @@ class BrokenScenesTest {
             solver: rk4
             deltaT: 0.01
             duration: 1
-            x.yaml:1:1: the scene has no particle; add some under 'particles' or 'shapes'
+            x.yaml:1:1: the scene has no particle at the start; add some under 'particles' or 'shapes'
 
             title: A
             teaches: B
@@ -459,8 +459,7 @@ class BrokenScenesTest {
             deltaT: 0.01
             duration: 1
             rules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 9}]
-            x.yaml:1:1: the scene has no particle at the start, and emitters add theirs only later; add one under \
-            'particles', such as {id: source, position: [0, 0, 0], fixed: true}
+            x.yaml:1:1: the scene has no particle at the start; add some under 'particles' or 'shapes'
             """;
 
     /** Each broken scene with its messages; the page of the lab has to give the same ones. */

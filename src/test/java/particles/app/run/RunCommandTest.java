@@ -140,8 +140,8 @@ class RunCommandTest {
                 """);
         assertEquals(ExitCode.BAD_INPUT, run("--scene=2"));
         assertEquals(scenes.resolve("02-far.yaml") + """
-                :5:11: a duration of 1000000 s needs more than a million pictures at frameRate = 25; in the scene, \
-                output: {frameRate: 0.001} draws 1000, and -Pframes=false none""", screen.err());
+                :5:11: a duration of 1000000 s needs more than a million pictures at frameRate = 25; give a lower \
+                frameRate under 'output', or -Pframes=false for none""", screen.err());
         assertFalse(Files.exists(out), "nothing is written");
         assertEquals(ExitCode.DONE, run("--scene=2", "--frames=false"));
     }
