@@ -146,11 +146,8 @@ public final class Setting {
         }
         String step = path.get(0);
         List<String> rest = path.subList(1, path.size());
-        if (step.startsWith("[")) {
-            return element(type, old, step, rest, in);
-        }
-        if (type instanceof ListType<?> list) {
-            return named(list.element(), old, step, rest, in);
+        if (step.startsWith("[") || type instanceof ListType) {
+            return inList(type instanceof ListType<?> list ? list.element() : UNKNOWN, old, step, rest, in);
         }
         return type instanceof MappingType mapping ? entry(mapping, old, step, rest, in)
                 : problem(in, "it is " + type.describe() + ", and has no " + Wording.quote(step));
@@ -167,7 +164,7 @@ public final class Setting {
         int k = IntStream.range(0, entries.size()).filter(i -> is(entries.get(i).getKeyNode(), name)).findFirst()
                 .orElse(entries.size());
         if (k == entries.size()) {
-            entries.add(new NodeTuple(old, mapping(List.of(), value.getStartMark())));
+            entries.add(new NodeTuple(word(name), mapping(List.of(), value.getStartMark())));
         }
         Type<?> child = type.getKeys().stream().filter(known -> known.name().equals(name))
                 .<Type<?>>map(Key::type).findFirst().orElse(UNKNOWN);
@@ -175,37 +172,28 @@ public final class Setting {
         return mapping(entries, old.getStartMark());
     }
 
-    private Node element(Type<?> type, Node old, String step, List<String> rest, Reading in) {
-        if (!(old instanceof SequenceNode list)) {
-            return problem(in, "there is no list for " + step);
-        }
-        int index = Integer.parseInt(step.substring(1, step.length() - 1));
-        if (index >= list.getValue().size()) {
-            return problem(in, step + " does not exist; there are " + list.getValue().size() + ", from [0] on");
-        }
-        List<Node> items = new ArrayList<>(list.getValue());
-        items.set(index, put(type instanceof ListType<?> of ? of.element() : UNKNOWN, items.get(index), rest, in));
-        return sequence(items, list.getStartMark());
-    }
-
-    /** A list with the entry changed that has this id, or is of the kind of this name. */
-    private Node named(Type<?> type, Node old, String name, List<String> rest, Reading in) {
+    /** A list with the entry changed that has this number or id, or is of the kind of this name. */
+    private Node inList(Type<?> type, Node old, String step, List<String> rest, Reading in) {
         List<Node> items = new ArrayList<>(old instanceof SequenceNode list ? list.getValue() : List.of());
-        List<Node> found = items.stream().filter(item -> names(item).anyMatch(name::equals)).toList();
+        boolean numbered = step.startsWith("[");
+        List<Integer> found = IntStream.range(0, items.size()).filter(i -> numbered ? step.equals("[" + i + "]")
+                : names(items.get(i)).anyMatch(step::equals)).boxed().toList();
         if (found.size() > 1) {
-            return problem(in, found.size() + " entries are called " + Wording.quote(name)
-                    + "; give the number of one, from [" + items.indexOf(found.get(0)) + "]");
+            return problem(in, found.size() + " entries are called " + Wording.quote(step)
+                    + "; give the number of one, from [" + found.get(0) + "]");
         }
-        if (found.isEmpty() && !(type instanceof KindType)) {
+        if (found.isEmpty() && (numbered || !(type instanceof KindType))) {
             List<String> known = items.stream().flatMap(Setting::names).toList();
-            return problem(in, known.isEmpty() ? "the entries of this list have no names; give a number, such as [0]"
-                    : Wording.unknown("entry", name, known, List.of()));
+            return problem(in, numbered && items.isEmpty() ? "there is no list for " + step
+                    : numbered ? step + " does not exist; there are " + items.size() + ", from [0] on"
+                    : known.isEmpty() ? "the entries of this list have no names; give a number, such as [0]"
+                    : Wording.unknown("entry", step, known, List.of()));
         }
         if (found.isEmpty()) {
-            items.add(word(name));
+            items.add(word(step));
         }
-        int k = found.isEmpty() ? items.size() - 1 : items.indexOf(found.get(0));
-        items.set(k, type instanceof KindType<?> kinds ? inKind(kinds, items.get(k), rest, in)
+        int k = found.isEmpty() ? items.size() - 1 : found.get(0);
+        items.set(k, !numbered && type instanceof KindType<?> kinds ? inKind(kinds, items.get(k), rest, in)
                 : put(type, items.get(k), rest, in));
         return sequence(items, old.getStartMark());
     }
