@@ -68,10 +68,6 @@ public final class SceneFiles {
             return quoted + " is " + (Files.isDirectory(typed) ? "a folder" : "a device, a pipe or a socket")
                     + "; a scene is an ordinary file";
         }
-        Path parent = typed.getParent();
-        if (parent != null && !Files.isDirectory(parent)) {
-            return "there is no file " + quoted + ", as there is no folder " + Wording.quoteWhole(parent.toString());
-        }
         List<String> names = list(folder).stream().map(file -> file.getFileName().toString()).toList();
         return "there is no file " + quoted + DidYouMean.nearest(typed.getFileName().toString(), names)
                 .map(name -> "; did you mean '" + name + "'?").orElse("");
