@@ -20,7 +20,7 @@ public final class SharedKeys {
     public static final Key<Integer> SEED = new NumberType.Whole(0, 1_000_000_000).withDefault("seed", 1,
             "The seed of the random numbers; the same seed gives the same run on every machine.");
 
-    /** The centre of a sphere. */
+    /** The centre of a sphere or a block. */
     public static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
     /** The radius of a sphere. */
     public static final Key<Double> RADIUS = NumberType.positive("m").required("radius", "Its radius (m).");

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import particles.effects.SharedKeys;
 import particles.law.Scales;
 import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
@@ -80,7 +81,7 @@ public final class ShapeKind extends Kind {
             LatticeMaker lattice, Key<?>... own) {
         return new ShapeKind(name, sentence, (id, chosen, files, problems) -> {
             Lattice made = lattice.make(id, sides, chosen.values());
-            return made.size() > ShapeDescription.MOST_PARTICLES || made.flatness() > 1e-9 ? Optional.of(made)
+            return made.flatness() > 1e-9 ? Optional.of(made)
                     : problems.add(chosen.place(), "'" + name + "' has no extent in one direction: its particles"
                             + " would lie on top of each other");
         }, keys(sides, parts, own));
@@ -151,7 +152,6 @@ public final class ShapeKind extends Kind {
             (id, sides, values) -> new Lattice(id, List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
             List.of(values.get(ACROSS), values.get(DOWN)), sides), TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS);
 
-    private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
     private static final Key<Vector3> SIZE = VectorType.positive("m").required("size",
             "Its width, height and depth before it is turned (m).");
     private static final Key<Vector3> TURN = VectorType.of("degrees").withDefault("turn", Vector3.ZERO,
@@ -163,7 +163,7 @@ public final class ShapeKind extends Kind {
     private static final ShapeKind JELLY = lattice("jelly",
             "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is at the left, bottom and back.",
             List.of(List.of("left", "right"), List.of("bottom", "top"), List.of("back", "front")), List.of("corners"),
-            ShapeKind::block, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS);
+            ShapeKind::block, SharedKeys.CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS);
 
     private static Lattice block(String id, List<List<String>> sides, Values values) {
         Vector3 size = values.get(SIZE);
@@ -171,7 +171,7 @@ public final class ShapeKind extends Kind {
                 new Vector3(0, 0, size.z())).map(edge -> turned(edge, values.get(TURN))).toList();
         Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
         return new Lattice(id, List.of(values.get(COLUMNS), values.get(JELLY_ROWS), values.get(LAYERS)),
-                values.get(CENTRE).minus(diagonal.times(0.5)), edges, sides);
+                values.get(SharedKeys.CENTRE).minus(diagonal.times(0.5)), edges, sides);
     }
 
     /** @return a vector that was rotated about the fixed x, y and z axes, in this order */
