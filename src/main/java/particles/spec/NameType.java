@@ -64,8 +64,7 @@ public record NameType<T>(String what, List<String> names, Function<String, T> p
                 && (names.contains(text) || other.filter(form -> form.matches(text)).isPresent())) {
             return Optional.of(parse.apply(text));
         }
-        return in.problem(node, Wording.unknown(what, text, names, List.of())
-                + other.map(o -> ", or " + o.describe()).orElse(""));
+        return in.problem(node, Wording.unknown(what, text, names, List.of()) + orOther());
     }
 
     @Override
@@ -75,7 +74,11 @@ public record NameType<T>(String what, List<String> names, Function<String, T> p
 
     @Override
     public String describe() {
-        return "one of " + String.join(", ", names) + other.map(o -> ", or " + o.describe()).orElse("");
+        return "one of " + String.join(", ", names) + orOther();
+    }
+
+    private String orOther() {
+        return other.map(form -> ", or " + form.describe()).orElse("");
     }
 
     @Override

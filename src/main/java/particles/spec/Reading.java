@@ -72,6 +72,6 @@ public record Reading(String source, Problems problems, ClassNames classes, List
 
     /** A value from an option has no position; its place is the whole option. */
     Place place(Node node) {
-        return Place.of(source, node);
+        return Place.of(source, node.getStartMark());
     }
 }

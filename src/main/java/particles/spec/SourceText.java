@@ -68,14 +68,16 @@ public final class SourceText {
      * @return the text of bytes in UTF-8, in UTF-16 with a byte order mark, or else in windows-1252
      */
     public static String lenient(byte[] bytes) {
-        boolean wide = bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH
-                || bytes[0] == HIGH && bytes[1] == LOW);
         try {
-            return (wide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8).newDecoder().decode(ByteBuffer.wrap(bytes))
-                    .toString().replaceFirst("^\ufeff", "");
+            return (isUtf16(bytes) ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8).newDecoder()
+                    .decode(ByteBuffer.wrap(bytes)).toString().replaceFirst("^\ufeff", "");
         } catch (CharacterCodingException e) {
             return new String(bytes, Charset.forName("windows-1252"));
         }
+    }
+
+    private static boolean isUtf16(byte[] bytes) {
+        return bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW);
     }
 
     /**
@@ -90,7 +92,7 @@ public final class SourceText {
             return in.problem("the file is longer than " + (LARGEST >> 20)
                     + " MiB; use shapes to make many particles");
         }
-        if (bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW)) {
+        if (isUtf16(bytes)) {
             return in.problem("the file is in UTF-16; save it as UTF-8");
         }
         CharBuffer characters = CharBuffer.allocate(bytes.length);

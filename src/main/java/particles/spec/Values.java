@@ -49,8 +49,7 @@ public final class Values {
      */
     @SuppressWarnings("unchecked")                      // a key's value was read by its type
     public <T> Optional<T> find(Key<T> key) {
-        Found given = found.get(key.name());
-        return given == null ? key.defaultValue() : (Optional<T>) given.value();
+        return given(key).map(one -> (Optional<T>) one.value()).orElse(key.defaultValue());
     }
 
     /** @return the value of a key for a mapping; that of an empty mapping if it has none */
@@ -71,19 +70,23 @@ public final class Values {
         return find(key).orElseThrow(() -> new NoSuchElementException("'" + key.name() + "' has no value at " + place));
     }
 
+    private Optional<Found> given(Key<?> key) {
+        return Optional.ofNullable(found.get(key.name()));
+    }
+
     /** @return whether the key is in the file, with a right or wrong value */
     public boolean isGiven(Key<?> key) {
-        return found.containsKey(key.name());
+        return given(key).isPresent();
     }
 
     /** @return whether neither the key's value nor anything in it has a mistake */
     public boolean isIntact(Key<?> key) {
-        return !found.containsKey(key.name()) || found.get(key.name()).intact();
+        return given(key).map(Found::intact).orElse(true);
     }
 
     /** @return the place of the key's value, or of the mapping if the key is not given */
     public Place place(Key<?> key) {
-        return found.containsKey(key.name()) ? found.get(key.name()).place() : place;
+        return given(key).map(Found::place).orElse(place);
     }
 
     /** @return the place of the mapping's beginning */

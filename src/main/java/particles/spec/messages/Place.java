@@ -2,7 +2,6 @@ package particles.spec.messages;
 
 import java.util.Optional;
 import org.snakeyaml.engine.v2.exceptions.Mark;
-import org.snakeyaml.engine.v2.nodes.Node;
 
 /**
  * A place in a source: file or option, line and column.
@@ -21,11 +20,6 @@ public record Place(String source, int line, int column) implements Comparable<P
     /** @return the place of a parser's mark, which names its source; the whole source without one */
     public static Place of(String source, Optional<Mark> mark) {
         return mark.map(m -> new Place(m.getName(), m.getLine() + 1, m.getColumn() + 1)).orElse(of(source));
-    }
-
-    /** @return the place of a node */
-    public static Place of(String source, Node node) {
-        return of(source, node.getStartMark());
     }
 
     @Override
