@@ -169,7 +169,7 @@ class BrokenScenesTest {
             rods:
               - {from: bob, to: tom}
             x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; their relative velocity \
-            must be across the rod; 'bob' fits with velocity: [0, 1, 0]; 'tom' fits with velocity: [1, 1, 0]
+            must be across the rod
 
               - {id: hand, position: [0, 3, 0], fixed: true}
             rods:
@@ -177,7 +177,7 @@ class BrokenScenesTest {
             rules:
               - shake: {particle: hand, amplitude: [0, 1, 0], period: 6.283185307179586}
             x.yaml:10:21: the ends of the rod from 'bob' to 'hand' move apart at 1 m/s; their relative velocity \
-            must be across the rod; 'hand' begins with [0, 1, 0] m/s; 'bob' fits with velocity: [0, 1, 0]
+            must be across the rod; 'hand' begins with [0, 1, 0] m/s
 
               - {id: tom, position: [0, 3, 0]}
               - {id: sue, position: [0, 7, 0]}
