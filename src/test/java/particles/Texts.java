@@ -2,7 +2,10 @@ package particles;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-/** Checks of texts for people: a failure shows the whole text. */
+import org.snakeyaml.engine.v2.api.Load;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+
+/** Checks of texts: a failure shows the whole text. */
 public final class Texts {
     private Texts() {
     }
@@ -22,5 +25,10 @@ public final class Texts {
     /** Checks that a regular expression describes the whole text. */
     public static void assertMatches(String text, String regex) {
         assertTrue(text.matches(regex), () -> "'" + regex + "' does not match: " + text);
+    }
+
+    /** @return the maps, lists, numbers, booleans and texts in JSON, which is YAML too, or in YAML */
+    public static Object json(String text) {
+        return new Load(LoadSettings.builder().build()).loadFromString(text);
     }
 }

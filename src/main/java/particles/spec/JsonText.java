@@ -7,8 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.snakeyaml.engine.v2.api.Load;
-import org.snakeyaml.engine.v2.api.LoadSettings;
 
 /** Writes JSON. NaN and infinity are written as {@code null}, since JSON cannot express them. */
 public final class JsonText {
@@ -35,15 +33,6 @@ public final class JsonText {
      */
     public static String compact(Object value) {
         return write(value, "");
-    }
-
-    /**
-     * @param text JSON, which is YAML too
-     * @return its maps, lists, numbers, booleans and texts
-     * @throws RuntimeException if it is not valid
-     */
-    public static Object read(String text) {
-        return new Load(LoadSettings.builder().build()).loadFromString(text);
     }
 
     /**

@@ -17,8 +17,8 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
+import particles.Texts;
 import particles.spec.Digest;
-import particles.spec.JsonText;
 
 /** Checks the result files of a run: each is complete, and folders have equal files. */
 final class WholeFiles {
@@ -52,7 +52,7 @@ final class WholeFiles {
                 assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"",
                         "id").split(",").length == 8), name);
             } else if (name.equals("run.json")) {
-                assertTrue(JsonText.read(new String(bytes, StandardCharsets.UTF_8)) instanceof Map, name);
+                assertTrue(Texts.json(new String(bytes, StandardCharsets.UTF_8)) instanceof Map, name);
             } else if (name.equals(".desolver-writing")) {
                 assertTrue(new String(bytes, StandardCharsets.US_ASCII).matches("\\d*"), name);
             } else {

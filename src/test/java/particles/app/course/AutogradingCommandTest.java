@@ -18,10 +18,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.OtherSystems;
+import particles.Texts;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
-import particles.spec.JsonText;
 
 /** The files for GitHub Classroom and for Moodle's VPL run, and say what those systems read. */
 @Tag("slow")
@@ -104,7 +104,7 @@ class AutogradingCommandTest {
     }
 
     private Map<?, ?> step(int number) throws Exception {
-        Map<?, ?> workflow = (Map<?, ?>) JsonText.read(Files.readString(folder.resolve("made/classroom.yml")));
+        Map<?, ?> workflow = (Map<?, ?>) Texts.json(Files.readString(folder.resolve("made/classroom.yml")));
         Map<?, ?> job = (Map<?, ?>) ((Map<?, ?>) workflow.get("jobs")).get("run-autograding-tests");
         return (Map<?, ?>) ((List<?>) job.get("steps")).get(number);
     }
@@ -134,7 +134,7 @@ class AutogradingCommandTest {
         bash((String) step.get("run"), runner());
         String output = Files.readString(folder.resolve("output"));
         assertTrue(output.startsWith("result=") && output.strip().lines().count() == 1, output);
-        Map<?, ?> result = (Map<?, ?>) JsonText.read(new String(Base64.getDecoder().decode(output.strip().substring(7)),
+        Map<?, ?> result = (Map<?, ?>) Texts.json(new String(Base64.getDecoder().decode(output.strip().substring(7)),
                 StandardCharsets.UTF_8));
         assertEquals("fail", result.get("status"));
         assertEquals(8.0, number(result.get("max_score")));
