@@ -113,45 +113,34 @@ public class RuleKind extends Kind {
     }
 
     /** A rule for particles that meet a solid. */
-    private static final class OfSolid extends RuleKind {
-        private final Function<Values, Obstacle> solid;
-
-        OfSolid(String name, String sentence, Function<Values, Obstacle> solid, Key<?>... keys) {
-            super(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name, solid.apply(values),
-                    new Bounce(values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::ofImpacts).orElse(0.0),
-                            values.get(REST_SPEED)),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE),
-                    assembly.particles()::radius)), keys);
-            this.solid = solid;
-        }
-
-        @Override
-        public Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(solid.apply(values));
-        }
+    private static RuleKind ofSolid(String name, String sentence, Function<Values, Obstacle> solid, Key<?>... keys) {
+        return new RuleKind(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name,
+                solid.apply(values), new Bounce(values.get(RESTITUTION),
+                values.find(FRICTION).map(RuleKind::ofImpacts).orElse(0.0), values.get(REST_SPEED)),
+                values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), assembly.particles()::radius)),
+                keys) {
+            @Override
+            public Optional<Obstacle> obstacle(Values values) {
+                return Optional.of(solid.apply(values));
+            }
+        };
     }
 
-    /** A prescribed motion of a moving anchor. */
-    private static final class Motion extends RuleKind {
-        private final BiFunction<Values, Vector3, AnchorMotion> motion;
-
-        /** With functions of the values and the start: the motion, and its largest speed (m/s). */
-        Motion(String name, String sentence, BiFunction<Values, Vector3, AnchorMotion> motion,
-                ToDoubleBiFunction<Values, Vector3> speed, Key<?>... keys) {
-            super(name, sentence, (values, assembly) -> {
-                Vector3 start = assembly.positionOf(values.get(ANCHOR));
-                assembly.move(values.get(ANCHOR), motion.apply(values, start));
-                assembly.noteSpeed(speed.applyAsDouble(values, start));
-            }, keys);
-            this.motion = motion;
-        }
-
-        @Override
-        public Vector3 startVelocity(Values values, ParticleIndex index) {
-            double[] at = new double[9];
-            motion.apply(values, index.position(values.get(ANCHOR))).at(0, at);
-            return Vector3.at(at, 3);
-        }
+    /** A motion of an anchor, by functions of the values and the start: the motion, and its largest speed (m/s). */
+    private static RuleKind motion(String name, String sentence, BiFunction<Values, Vector3, AnchorMotion> motion,
+            ToDoubleBiFunction<Values, Vector3> speed, Key<?>... keys) {
+        return new RuleKind(name, sentence, (values, assembly) -> {
+            Vector3 start = assembly.positionOf(values.get(ANCHOR));
+            assembly.move(values.get(ANCHOR), motion.apply(values, start));
+            assembly.noteSpeed(speed.applyAsDouble(values, start));
+        }, keys) {
+            @Override
+            public Vector3 startVelocity(Values values, ParticleIndex index) {
+                double[] at = new double[9];
+                motion.apply(values, index.position(values.get(ANCHOR))).at(0, at);
+                return Vector3.at(at, 3);
+            }
+        };
     }
 
     private static Friction friction(Values values) {
@@ -166,7 +155,7 @@ public class RuleKind extends Kind {
 
     private static final Key<Double> HEIGHT = NumberType.any("m").withDefault("height", 0.0, "Its height (m).");
 
-    static final RuleKind GROUND = new OfSolid("ground",
+    static final RuleKind GROUND = ofSolid("ground",
             "Level ground: particles bounce off it, rest on it and slide along it.",
             values -> Plane.ground(values.get(HEIGHT)), HEIGHT, RESTITUTION, FRICTION, REST_SPEED);
 
@@ -175,12 +164,12 @@ public class RuleKind extends Kind {
     private static final Key<Vector3> NORMAL = VectorType.notZero("").required("normal",
             "A vector that points out of the solid, to the side of the particles; its length does not matter.");
 
-    static final RuleKind PLANE = new OfSolid("plane",
+    static final RuleKind PLANE = ofSolid("plane",
             "A ramp or a wall: particles bounce off it, rest on it and slide along it.",
             values -> new Plane(values.get(POINT), values.get(NORMAL)),
             POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED);
 
-    static final RuleKind SPHERE = new OfSolid("sphere",
+    static final RuleKind SPHERE = ofSolid("sphere",
             "A ball, or the inside of a hollow one: particles bounce off it, rest on it and slide along it.",
             SharedKeys::sphere, SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION,
             REST_SPEED);
@@ -204,7 +193,7 @@ public class RuleKind extends Kind {
     private static final Key<Vector3> AMPLITUDE = VectorType.notZero("m").required("amplitude",
             "The largest displacement to one side, as a vector (m).");
 
-    static final RuleKind SHAKE = new Motion("shake",
+    static final RuleKind SHAKE = motion("shake",
             "Moves a particle to and fro: its displacement is amplitude sin(2 pi t / period).",
             (values, start) -> new SineMotion(start, values.get(AMPLITUDE), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * values.get(AMPLITUDE).length() / values.get(PERIOD),
@@ -215,7 +204,7 @@ public class RuleKind extends Kind {
             "The axis of rotation; the motion is counter-clockwise if the axis points at you. Its length"
             + " does not matter.");
 
-    static final RuleKind CIRCLE = new Motion("circle", "Moves a particle round an axis, like a crank.",
+    static final RuleKind CIRCLE = motion("circle", "Moves a particle round an axis, like a crank.",
             (values, start) -> new CircleMotion(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * start.minus(values.get(CENTRE)).length() / values.get(PERIOD),
             ANCHOR, CENTRE, AXIS, PERIOD);
@@ -224,7 +213,7 @@ public class RuleKind extends Kind {
     private static final Key<Double> DURATION = NumberType.positive("s").required("duration",
             "The duration of the motion (s).");
 
-    static final RuleKind GLIDE = new Motion("glide",
+    static final RuleKind GLIDE = motion("glide",
             "Moves a particle straight to another place, starting and stopping smoothly.",
             (values, start) -> new GlideMotion(start, values.get(TO), values.get(DURATION)),
             (values, start) -> 1.875 * values.get(TO).minus(start).length() / values.get(DURATION),
