@@ -93,11 +93,9 @@ final class SceneChecks {
         if (!phase.isSound()) {
             return;
         }
-        if (angle && about.isEmpty()) {
-            problems.add(phase.place(Phase.AXIS),
-                    "'axis: angle' needs 'about', the particle that the angle is seen from");
-        } else if (!angle && about.isPresent()) {
-            problems.add(phase.place(Phase.ABOUT), "'about' goes with 'axis: angle'");
+        if (angle != about.isPresent()) {
+            problems.add(phase.place(angle ? Phase.AXIS : Phase.ABOUT),
+                    "'axis: angle' goes with 'about', the particle that the angle is seen from");
         } else if (about.equals(phase.find(Phase.PARTICLE))) {
             problems.add(phase.place(Phase.ABOUT), "a particle has no angle about itself");
         }

@@ -285,10 +285,10 @@ class BrokenScenesTest {
             x.yaml:8:63: unknown axis 'w'; known: x, y, z, angle
 
             output: {phase: {particle: bob, axis: angle}}
-            x.yaml:8:39: 'axis: angle' needs 'about', the particle that the angle is seen from
+            x.yaml:8:39: 'axis: angle' goes with 'about', the particle that the angle is seen from
 
             output: {phase: {particle: bob, about: bob}}
-            x.yaml:8:40: 'about' goes with 'axis: angle'
+            x.yaml:8:40: 'axis: angle' goes with 'about', the particle that the angle is seen from
 
             output: {phase: {particle: bob, axis: angle, about: bob}}
             x.yaml:8:53: a particle has no angle about itself
