@@ -10,7 +10,6 @@ import java.util.stream.Stream;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 import particles.spec.Key;
-import particles.spec.ListType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
@@ -33,8 +32,8 @@ final class MuscleKeys extends EffectKind {
     private static final NumberType FRACTION = NumberType.between(0, 1, "");
     private static final Key<Double> OWN_AMPLITUDE = FRACTION.optional("amplitude",
             "Its own amplitude; by default that of all.");
-    private static final Key<List<Values>> SPRINGS = ListType.of("a muscle", MappingType.of("a muscle", FROM, TO,
-            OWN_PHASE, OWN_AMPLITUDE)).withDefault("springs", List.of(),
+    private static final Key<List<Values>> SPRINGS = MappingType.of("a muscle", FROM, TO, OWN_PHASE,
+            OWN_AMPLITUDE).list("springs",
             "Single springs, by their ends. Without 'springs' and 'shape', all springs are muscles.");
     private static final Key<String> SHAPE = TextType.of("the id of a shape", "\\S").optional("shape",
             "A shape of whose springs all of a family are muscles.");

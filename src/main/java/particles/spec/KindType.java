@@ -30,6 +30,11 @@ public record KindType<K extends Kind>(String what, List<K> kinds, Optional<Clas
         this(what, kinds, Optional.empty());
     }
 
+    /** @return a key for a list of such entries, which is empty if the key is absent */
+    public Key<List<Chosen<K>>> list(String name, String sentence) {
+        return ListType.of(article(what), this).withDefault(name, List.of(), sentence);
+    }
+
     @Override
     public Optional<Chosen<K>> read(Node node, String label, Reading in) {
         if (node instanceof ScalarNode name && node.getTag().equals(Tag.STR)) {

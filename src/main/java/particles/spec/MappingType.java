@@ -47,6 +47,11 @@ public class MappingType implements Type<Values> {
         return new MappingType(label, sentence, keys, exactlyOneOf, Optional.of(key));
     }
 
+    /** @return a key for a list of such mappings, which is empty if the key is absent */
+    public Key<List<Values>> list(String name, String listSentence) {
+        return ListType.of(label, this).withDefault(name, List.of(), listSentence);
+    }
+
     /**
      * Reads a whole file.
      *

@@ -83,9 +83,8 @@ public final class RenderFormat {
     private static final Key<String> LABEL = TextType.prose().optional("label", "A text beside it.");
     private static final Key<Double> MARK_TRAIL = NumberType.notNegative("s").optional("trail",
             "The time for which its path stays visible as a fading line (s); by default that of all others.");
-    public static final Key<List<Values>> MARKS = ListType.of("a mark",
-            MappingType.of("a mark", MARKED, MARK_COLOUR, MARK_RADIUS, LABEL, MARK_TRAIL))
-            .withDefault("marks", List.of(), "Particles with a colour, a size, a label or a trail of their own.");
+    public static final Key<List<Values>> MARKS = MappingType.of("a mark", MARKED, MARK_COLOUR, MARK_RADIUS,
+            LABEL, MARK_TRAIL).list("marks", "Particles with a colour, a size, a label or a trail of their own.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,

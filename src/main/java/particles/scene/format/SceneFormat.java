@@ -36,36 +36,32 @@ public final class SceneFormat {
     public static final Key<Integer> THREADS = new NumberType.Whole(1, 64).optional("threads",
             "The number of threads that evaluate the forces of a large system; by default one for each processor."
             + " The result is the same with any number, bit for bit.");
-    public static final Key<List<Values>> PARTICLES = ListType.of("a particle", ParticleDescription.TYPE)
-            .withDefault("particles", List.of(),
+    public static final Key<List<Values>> PARTICLES = ParticleDescription.TYPE.list("particles",
             "Single particles. They collide with each other only if the scene names"
             + " 'repulsion' or 'collisions'.");
-    public static final Key<List<Chosen<ShapeKind>>> SHAPES = ListType.of("a shape", new KindType<>("shape",
-            ShapeKind.ALL)).withDefault("shapes", List.of(),
+    public static final Key<List<Chosen<ShapeKind>>> SHAPES = new KindType<>("shape", ShapeKind.ALL).list("shapes",
             "Ropes, cloths, blocks and meshes: many particles and springs at once.");
-    public static final Key<List<Values>> SPRINGS = ListType.of("a spring", SpringDescription.TYPE)
-            .withDefault("springs", List.of(), "Springs between any two particles.");
-    public static final Key<List<Values>> RODS = ListType.of("a rod", MappingType.of("a rod",
-            SpringDescription.FROM, SpringDescription.TO)).withDefault("rods", List.of(),
+    public static final Key<List<Values>> SPRINGS = SpringDescription.TYPE.list("springs",
+            "Springs between any two particles.");
+    public static final Key<List<Values>> RODS = MappingType.of("a rod", SpringDescription.FROM,
+            SpringDescription.TO).list("rods",
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
-    public static final Key<List<Values>> LINES = ListType.of("a line", MappingType.of("a line",
-            SpringDescription.FROM, SpringDescription.TO)).withDefault("lines", List.of(),
+    public static final Key<List<Values>> LINES = MappingType.of("a line", SpringDescription.FROM,
+            SpringDescription.TO).list("lines",
             "Lines between any two particles: springs that are drawn and exert no force.");
     public static final Key<List<String>> CORNERS = ListType.of("a corner", SpringDescription.ANY_ID)
             .required("corners", "Its corners, three particles or more, counter-clockwise seen from its front.");
-    public static final Key<List<Values>> FACES = ListType.of("a face", MappingType.of("a face", CORNERS)
-            .shortFor(CORNERS)).withDefault("faces", List.of(),
+    public static final Key<List<Values>> FACES = MappingType.of("a face", CORNERS).shortFor(CORNERS).list("faces",
             "The faces of a shaded surface that any particles span, such as '- [a, b, c]'.");
-    public static final Key<List<Chosen<WireKind>>> WIRES = ListType.of("a wire", new KindType<>("wire", WireKind.ALL))
-            .withDefault("wires", List.of(), "Wires that particles slide along.");
+    public static final Key<List<Chosen<WireKind>>> WIRES = new KindType<>("wire", WireKind.ALL).list("wires",
+            "Wires that particles slide along.");
     public static final Key<Values> CONSTRAINTS = MappingType.of("'constraints'",
             SpringDescription.FEEDBACK, SpringDescription.PROJECTION).optional("constraints",
             "How rods and wires are enforced.");
-    public static final Key<List<Chosen<EffectKind>>> EFFECTS = ListType.of("an effect", new KindType<>("effect",
-            EffectCatalog.ALL, Optional.of(EffectKind.class))).withDefault("effects", List.of(),
+    public static final Key<List<Chosen<EffectKind>>> EFFECTS = new KindType<>("effect", EffectCatalog.ALL,
+            Optional.of(EffectKind.class)).list("effects",
             "Force laws besides springs; only laws named here act. Without gravity, for example, nothing falls.");
-    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule",
-            RuleCatalog.ALL)).withDefault("rules", List.of(),
+    public static final Key<List<Chosen<RuleKind>>> RULES = new KindType<>("rule", RuleCatalog.ALL).list("rules",
             "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = NameType.of("kind of impact", List.of("clamp", "exact"))
             .withDefault("impact", "clamp",
