@@ -8,19 +8,20 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 
 /**
- * The type of a mapping whose keys the file chooses, such as names of classes.
+ * The type of a mapping whose keys the file chooses, such as names of classes or numbers.
  *
  * @param key   the type of a key
  * @param value the type of a value
+ * @param <K>   the Java class of a key
  * @param <T>   the Java class of a value
  */
-public record MapType<T>(Type<String> key, Type<T> value) implements Type<Map<String, T>> {
+public record MapType<K, T>(Type<K> key, Type<T> value) implements Type<Map<K, T>> {
     @Override
-    public Optional<Map<String, T>> read(Node node, String what, Reading in) {
+    public Optional<Map<K, T>> read(Node node, String what, Reading in) {
         if (!(node instanceof MappingNode mapping)) {
             return wrong(node, what, in);
         }
-        Map<String, T> map = new LinkedHashMap<>();
+        Map<K, T> map = new LinkedHashMap<>();
         for (NodeTuple tuple : mapping.getValue()) {
             key.read(tuple.getKeyNode(), "a key of " + what, in).ifPresent(name ->
                     value.read(tuple.getValueNode(), "'" + name + "'", in).ifPresent(found -> {

@@ -41,7 +41,7 @@ public final class JsonSchema {
             return list.bareAllowed() ? anyOf(of(list.element()), schema) : schema;
         } else if (type instanceof MappingType mapping) {
             return ofMapping(mapping);
-        } else if (type instanceof MapType<?> map) {
+        } else if (type instanceof MapType<?, ?> map) {
             return JsonText.map("type", "object", "propertyNames", of(map.key()), "additionalProperties",
                     of(map.value()));
         }

@@ -2,12 +2,10 @@ package particles.app.course;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.app.student.AskedMethods;
@@ -47,15 +45,12 @@ record Assignment(Numbers numbers, Map<Integer, Double> exercises, Optional<Map<
     static final String FILE = "assignment.yaml";
     private static final Type<String> CLASS = TextType.of("the name of a class", "^[A-Za-z_][A-Za-z0-9_]*$");
     private static final NumberType POINTS = NumberType.notNegative("");
-    private static final List<String> ALL = IntStream.rangeClosed(1, Exercises.ALL.size()).mapToObj(String::valueOf)
-            .toList();
 
     private static final Key<Numbers> NUMBERS = NameType.of("choice", Numbers.class).withDefault("numbers", Numbers.ID,
             "Where the numbers of exercises come from.");
-    private static final Key<Map<String, Double>> EXERCISES = new MapType<>(new TextType("the number of an exercise",
-            Pattern.compile("^(" + String.join("|", ALL) + ")$"), true, 2), POINTS)
-            .withDefault("exercises", ALL.stream().collect(Collectors.toMap(n -> n, n -> 1.0)),
-            "The weight of each exercise that counts.");
+    private static final Key<Map<Integer, Double>> EXERCISES = new MapType<>(new NumberType.Whole(1,
+            Exercises.ALL.size()), POINTS).withDefault("exercises", IntStream.rangeClosed(1, Exercises.ALL.size())
+            .boxed().collect(Collectors.toMap(n -> n, n -> 1.0)), "The weight of each exercise that counts.");
     private static final Key<String> METHOD = NameType.of("method", AskedMethods.NAMES).withDefault("method",
             AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
@@ -90,9 +85,7 @@ record Assignment(Numbers numbers, Map<Integer, Double> exercises, Optional<Map<
                 : SourceText.read(path, in).flatMap(text -> FORMAT.read(text, in));
         problems.throwIfAny();
         Values all = values.orElseThrow();
-        Map<Integer, Double> exercises = new TreeMap<>();
-        all.get(EXERCISES).forEach((number, weight) -> exercises.put(Integer.valueOf(number), weight));
-        return new Assignment(all.get(NUMBERS), exercises, all.find(SOLVERS).map(asked -> {
+        return new Assignment(all.get(NUMBERS), new TreeMap<>(all.get(EXERCISES)), all.find(SOLVERS).map(asked -> {
             Map<String, Asked> solvers = new TreeMap<>();
             asked.forEach((name, solver) -> solvers.put(name, new Asked(solver.get(METHOD), solver.get(WEIGHT))));
             return solvers;

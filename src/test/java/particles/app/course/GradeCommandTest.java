@@ -377,7 +377,7 @@ class GradeCommandTest {
             ralston, rk2, rk3, rk38, rk4, rk45, rk5, symplectic-euler, trapezoidal, verlet, yoshida4, any<end>
             solvers: {A: }                | :1:13: 'A' is nothing; it has to be one of
             solvers: {A: {method: adams}}  | :1:23: unknown method 'adams'; known: ab2, ab3,
-            exercises: {13: 1}             | :1:13: a key of 'exercises' is 13; it has to be the number of an exercise
+            exercises: {13: 1}             | :1:13: a key of 'exercises' is 13; it has to be a whole number from 1 to 12
             exercises: {1: -2}             | :1:16: '1' is -2; it has to be
             effects: {my force: 1}         | :1:11: a key of 'effects' is the text 'my force'; it has
             effects: {A: 1, A: 2}          | :1:17: 'A' appears twice in 'effects'
