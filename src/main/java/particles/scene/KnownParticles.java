@@ -1,5 +1,7 @@
 package particles.scene;
 
+import static particles.spec.messages.Wording.quote;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -51,7 +53,7 @@ final class KnownParticles {
 
     private static NamedFiles within(Map<String, String> files) {
         return (name, place, problems) -> files.containsKey(name) ? Optional.of(new NamedFile(name, files.get(name)))
-                : problems.add(place, "the file " + Wording.quote(name) + " is not in 'files', which has "
+                : problems.add(place, "the file " + quote(name) + " is not in 'files', which has "
                         + Wording.some(List.copyOf(files.keySet())));
     }
 
@@ -104,7 +106,7 @@ final class KnownParticles {
     private void take(String id, Place place) {
         Place first = ids.putIfAbsent(id, place);
         if (first != null) {
-            problems.add(place, "the id " + Wording.quote(id)
+            problems.add(place, "the id " + quote(id)
                     + " is already used at line " + first.line() + "; give another");
         }
     }
@@ -134,7 +136,7 @@ final class KnownParticles {
         if (areAllIdsKnown()) {
             List<String> known = ids.keySet().stream().sorted().toList();
             // the last problems are counted only
-            problems.add(place, problems.isFull() ? "" : "unknown particle " + Wording.quote(id) + index.shape(shape)
+            problems.add(place, problems.isFull() ? "" : "unknown particle " + quote(id) + index.shape(shape)
                     .map(named -> "; known in this shape: " + named.layout().range())
                     .orElseGet(() -> (known.size() > MOST_CANDIDATES ? ";" : Wording.hint(shape, known)) + " known: "
                             + Wording.some(known)));

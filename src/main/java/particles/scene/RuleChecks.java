@@ -1,5 +1,7 @@
 package particles.scene;
 
+import static particles.spec.messages.Wording.quote;
+
 import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -22,7 +24,6 @@ import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
-import particles.spec.messages.Wording;
 
 /**
  * Checks rules against the particles and springs that they name or act on, and particles against the solids of rules.
@@ -84,10 +85,10 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
     private void checkAnchor(String id, Place place, Map<String, Place> moved) {
         Place first = moved.putIfAbsent(id, place);
         if (first != null) {
-            problems.add(place, "particle " + Wording.quote(id) + " already has a motion, at line " + first.line());
+            problems.add(place, "particle " + quote(id) + " already has a motion, at line " + first.line());
         }
         if (!known.getIndex().particle(id).fixed()) {
-            problems.add(place, "particle " + Wording.quote(id)
+            problems.add(place, "particle " + quote(id)
                     + " is free; only a fixed particle can follow a given motion");
         }
     }
@@ -133,7 +134,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
             boolean hollow = obstacle instanceof Sphere sphere && sphere.hollow();
             double radius = radius(particle);
             String ball = radius > 0 ? ", a ball of radius " + Digits.exact(radius) + " m," : "";
-            return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(-distance(particle)) + " m "
+            return quote(particle.id()) + ball + " begins " + Digits.exact(-distance(particle)) + " m "
                     + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().getName() + "' of line "
                     + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
         }

@@ -1,5 +1,7 @@
 package particles.scene;
 
+import static particles.spec.messages.Wording.quote;
+
 import deSolvers.text.DidYouMean;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -55,10 +57,10 @@ public final class SceneFiles {
         if (found.size() == 1) {
             return found.get(0);
         }
-        throw new InvalidInputException(!found.isEmpty() ? Wording.quote(wanted) + " matches more than one scene: "
+        throw new InvalidInputException(!found.isEmpty() ? quote(wanted) + " matches more than one scene: "
                 + String.join(", ", found.stream().map(Path::toString).toList()) + "; give the whole name"
                 : typed.filter(path -> inFolder || Files.exists(path)).map(path -> noFile(folder, path))
-                        .orElseGet(() -> "there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
+                        .orElseGet(() -> "there is no scene " + quote(wanted) + nearest(folder, wanted)));
     }
 
     /** The message for a path that is not a scene. */

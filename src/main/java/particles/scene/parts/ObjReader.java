@@ -1,5 +1,7 @@
 package particles.scene.parts;
 
+import static particles.spec.messages.Wording.quote;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -14,7 +16,6 @@ import particles.law.Vector3;
 import particles.scene.parts.NamedFiles.NamedFile;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
-import particles.spec.messages.Wording;
 
 /**
  * Reads the polygons of a Wavefront OBJ file: vertices {@code v}, faces {@code f}, lines {@code l}, and the groups
@@ -84,7 +85,7 @@ final class ObjReader {
             begun = goesOn ? line.replace('\\', ' ') : "";
             String mistake = goesOn ? "" : reader.take(line.split("\\s+"), n);
             if (!mistake.isEmpty()) {
-                problems.add(new Place(file.name(), n, 1), Wording.quote(line) + " " + mistake);
+                problems.add(new Place(file.name(), n, 1), quote(line) + " " + mistake);
             }
         }
         return problems.count() > before ? Optional.empty() : Optional.of(reader.contents);

@@ -1,5 +1,7 @@
 package particles.scene.parts;
 
+import static particles.spec.messages.Wording.quote;
+
 import java.util.BitSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,7 +14,6 @@ import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
-import particles.spec.messages.Wording;
 import particles.view.Scenery.Surface;
 
 /**
@@ -107,7 +108,7 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, ParticleLayout layout, 
     }
 
     private void fix(String part, Problems problems) {
-        fix(layout.numbers(part), values().place(ShapeKind.FIXED), "unknown particle " + Wording.quote(part)
+        fix(layout.numbers(part), values().place(ShapeKind.FIXED), "unknown particle " + quote(part)
                 + " in 'fixed'; known: " + layout.parts(), problems);
     }
 
