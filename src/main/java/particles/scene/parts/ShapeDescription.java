@@ -10,9 +10,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Scales;
 import particles.scene.parts.SpringFamily.Sort;
+import particles.spec.Key;
 import particles.spec.Kind.Chosen;
 import particles.spec.Values;
-import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.view.Scenery.Surface;
 
@@ -33,21 +33,11 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, ParticleLayout layout, 
      * @return the shape, if it has no problem
      */
     public static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, NamedFiles files, Problems problems) {
-        ShapeKind kind = chosen.kind();
-        Optional<ParticleLayout> layout = kind.layout(chosen, files, problems);
-        if (layout.isEmpty()) {
-            return Optional.empty();
-        }
-        if (layout.get().size() > MOST_PARTICLES) {
-            return problems.add(chosen.place(), kind.getLabel() + " has " + layout.get().size()
-                    + " particles; a scene may have at most " + MOST_PARTICLES);
-        }
-        ShapeDescription shape = new ShapeDescription(chosen, layout.get(), new BitSet());
         int before = problems.count();
-        new LinkedHashSet<>(shape.values().get(ShapeKind.FIXED)).forEach(part -> shape.fix(part, problems));
-        shape.values().find(MeshShape.FIXED_BOX).ifPresent(box -> shape.fix(shape.numbersIn(box),
-                shape.values().place(MeshShape.FIXED_BOX), "no particle begins in 'fixedBox'", problems));
-        return problems.count() > before ? Optional.empty() : Optional.of(shape);
+        Optional<ShapeDescription> shape = chosen.kind().layout(chosen, files, problems)
+                .map(layout -> new ShapeDescription(chosen, layout, new BitSet()));
+        shape.ifPresent(made -> made.fixParticles(problems));
+        return shape.filter(made -> problems.count() == before);
     }
 
     private Values values() {
@@ -103,19 +93,22 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, ParticleLayout layout, 
                 ? layout.surface(first, springs().stream().map(SpringFamily::sort).toList()) : Optional.empty();
     }
 
-    private IntStream numbersIn(Values box) {
-        return IntStream.range(0, (int) layout.size()).filter(n -> MeshShape.isIn(box, layout.position(n)));
+    private void fixParticles(Problems problems) {
+        if (layout.size() > MOST_PARTICLES) {
+            problems.add(chosen.place(), chosen.kind().getLabel() + " has " + layout.size()
+                    + " particles; a scene may have at most " + MOST_PARTICLES);
+            return;
+        }
+        new LinkedHashSet<>(values().get(ShapeKind.FIXED)).forEach(part -> fix(layout.numbers(part), ShapeKind.FIXED,
+                "unknown particle " + quote(part) + " in 'fixed'; known: " + layout.parts(), problems));
+        values().find(MeshShape.FIXED_BOX).ifPresent(box -> fix(IntStream.range(0, (int) layout.size()).filter(n ->
+                MeshShape.isIn(box, layout.position(n))), MeshShape.FIXED_BOX, "no particle begins in 'fixedBox'",
+                problems));
     }
 
-    private void fix(String part, Problems problems) {
-        fix(layout.numbers(part), values().place(ShapeKind.FIXED), "unknown particle " + quote(part)
-                + " in 'fixed'; known: " + layout.parts(), problems);
-    }
-
-    private void fix(IntStream numbers, Place place, String ifNone, Problems problems) {
-        int[] found = numbers.peek(fixed::set).toArray();
-        if (found.length == 0) {
-            problems.add(place, ifNone);
+    private void fix(IntStream numbers, Key<?> key, String ifNone, Problems problems) {
+        if (numbers.peek(fixed::set).toArray().length == 0) {
+            problems.add(values().place(key), ifNone);
         }
     }
 
