@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.reactions.Curve;
@@ -89,8 +88,8 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     }
 
     /**
-     * Reports a spring or rod without two ends at different places, unless it is an undamped spring of rest length 0,
-     * whose force there is 0.
+     * Reports a spring, rod or line without two ends at different places, unless it is an undamped spring of rest
+     * length 0, whose force there is 0.
      */
     private void checkEnds(String what, Link link) {
         Place place = link.values.place(SpringDescription.TO);
@@ -100,8 +99,8 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                     + " to itself; its ends must be two different particles");
         } else if (link.isApart()) {
             return;
-        } else if (what.equals("rod")) {
-            problems.add(place, samePlace + "a rod between them would have no length");
+        } else if (!what.equals("spring")) {
+            problems.add(place, samePlace + "a " + what + " between them would have no length");
         } else if (!link.values.find(SpringDescription.REST_LENGTH).equals(Optional.of(0.0))) {
             problems.add(place, samePlace + "a spring between them would have no direction, unless it has"
                     + " restLength: 0");
@@ -112,22 +111,21 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
 
     private void checkMotion(Link rod) {
         Place place = rod.values.place(SpringDescription.TO);
-        double rate = velocity(rod.to).minus(velocity(rod.from)).dot(rod.way) / rod.way.length();
+        double from = alongRod(rod, rod.from);
+        double to = alongRod(rod, rod.to);
         if (index.particle(rod.from).fixed() && index.particle(rod.to).fixed()) {
             problems.add(place, quote(rod.from) + " and " + quote(rod.to)
                     + " are fixed; a rod between them has no effect");
-        } else if (Math.abs(rate) > STILL) {
-            problems.add(place, "the ends of the rod from " + quote(rod.from) + " to " + quote(rod.to)
-                    + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
-                    + " m/s; their relative velocity must be across the rod" + Stream.of(rod.from, rod.to)
-                    .filter(id -> motionOf(id).isPresent()).map(this::moving).collect(Collectors.joining()));
+        } else if (Math.abs(to - from) > STILL) {
+            problems.add(place, "the rod from " + quote(rod.from) + " to " + quote(rod.to)
+                    + " cannot keep its length: along it, " + quote(rod.from) + " moves at " + Digits.exact(from)
+                    + " m/s and " + quote(rod.to) + " at " + Digits.exact(to) + " m/s; these speeds must be equal");
         }
     }
 
-    private String moving(String anchor) {
-        Vector3 v = velocity(anchor);
-        return "; " + quote(anchor) + " begins with [" + Digits.few(v.x()) + ", " + Digits.few(v.y()) + ", "
-                + Digits.few(v.z()) + "] m/s";
+    /** The speed of one end in the direction from the rod's first end to its second one (m/s). */
+    private double alongRod(Link rod, String end) {
+        return velocity(end).dot(rod.way) / rod.way.length();
     }
 
     /** The velocity of a particle at the start; for a moving anchor, that of its motion. */
