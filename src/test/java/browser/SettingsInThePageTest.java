@@ -57,7 +57,7 @@ class SettingsInThePageTest extends LabPageTestCase {
         until("![...document.querySelectorAll('#parameters label')].some("
                 + "one => one.textContent.startsWith('gravity'))");
         type("springs[9].damping=1");
-        until("text('setError') === 'springs[9].damping: [9] does not exist; there are 1, from [0] on'");
+        until("text('setError') === 'springs[9].damping: [9] does not exist; the last one is [0]'");
         assertEquals("", page.text("errors"));
         assertEquals("true", page.element("set").getAttribute("aria-invalid"));
         type("duration=2");

@@ -185,7 +185,7 @@ public final class Setting {
         if (found.isEmpty() && (numbered || !(type instanceof KindType))) {
             List<String> known = items.stream().flatMap(Setting::names).toList();
             return problem(in, numbered && items.isEmpty() ? "there is no list for " + step
-                    : numbered ? step + " does not exist; there are " + items.size() + ", from [0] on"
+                    : numbered ? step + " does not exist; the last one is [" + (items.size() - 1) + "]"
                     : known.isEmpty() ? "the entries of this list have no names; give a number, such as [0]"
                     : Wording.unknown("entry", step, known, List.of()));
         }

@@ -25,7 +25,7 @@ class SweepOptionsTest {
             springs[0].dampng=1              | -Pset springs[0].dampng: unknown key 'dampng'; did you mean 'damping'?
             spring[0].damping=1              | -Pset spring[0].damping: there is no list for [0]
             sprigns=1                        | -Pset sprigns: unknown key 'sprigns'; did you mean 'springs'?
-            springs[1].damping=1             | -Pset springs[1].damping: [1] does not exist; there are 1, from [0] on
+            springs[1].damping=1             | -Pset springs[1].damping: [1] does not exist; the last one is [0]
             springs[0].damping=-1            | -Pset springs[0].damping: 'damping' is -1; it has to be a number from 0
             springs[0].damping=1,5           | -Pset: '5' has to be KEY = VALUE
             springs[0].damping='2'           | -Pset springs[0].damping: 'damping' is the text '2'; a number has no \
