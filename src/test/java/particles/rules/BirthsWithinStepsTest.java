@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -87,7 +88,7 @@ class BirthsWithinStepsTest {
     }
 
     /**
-     * In any direction, at any speed and rate. Some births are at a step's end, others early or late in it; a step of
+     * From any place, in any direction, at any speed and rate. Some births are at a step's end, others early or late in it; a step of
      * 1.5 s has 49 of them. Solvers of order 1 are off by up to g deltaT times the age.
      */
     @ParameterizedTest
@@ -109,11 +110,12 @@ class BirthsWithinStepsTest {
             0.09,  13.7,  0.1, 0,  1,  1
             """)
     void everySolverMovesDropsFromTheirBirthOn(double deltaT, double rate, double speed, double x, double y, double z) {
+        double[] place = {3, -2, 1};
         double[] way = {x, y, z};
         double length = Math.sqrt(x * x + y * y + z * z);
         for (SolverInfo solver : SolverCatalog.all()) {
             ShortRun run = jet(solver.name() + " exact " + deltaT + " 1.5", "gravity", emitter(rate)
-                    .replace("speed: 10", "speed: " + speed + ", direction: [" + x + ", " + y + ", " + z + "]"));
+                    .replace("[0, 0, 0]", Arrays.toString(place)).replace("speed: 10", "speed: " + speed + ", direction: [" + x + ", " + y + ", " + z + "]"));
             assertEquals(1 + (int) (1.5 * rate + 1e-6), run.getSystem().getParticles().count());
             for (int i = 1; i < run.getSystem().getParticles().count(); i++) {
                 double age = 1.5 - i / rate;
@@ -122,7 +124,7 @@ class BirthsWithinStepsTest {
                     double v = speed * way[c] / length;
                     double g = c == 1 ? G : 0;
                     assertEquals(v - g * age, run.at(6 * i + 3 + c), 1e-9, solver.name());
-                    assertEquals(v * age - g * age * age / 2, run.at(6 * i + c), 1e-9 + (c == 1 ? late : 0),
+                    assertEquals(place[c] + v * age - g * age * age / 2, run.at(6 * i + c), 1e-9 + (c == 1 ? late : 0),
                             solver.name());
                 }
             }
