@@ -106,6 +106,19 @@ class ContactTableTest {
         assertTrue(run.getTimes().size() >= (way.solver.order() == 1 ? 1 : 50), run.getTimes().size() + " bounces");
     }
 
+    /** A bounce takes mu (1 + e) v_n from the speed along the ground, whatever the coefficient of static friction. */
+    @ParameterizedTest
+    @MethodSource("ways")
+    void frictionSlowsABounce(Way way) {
+        ShortRun run = way.run(0.01, 0.1, """
+                particles: [{id: a, position: [0, 0.1, 0], velocity: [3, -2, 0]}]
+                rules: [ground: {restitution: 0.5, friction: {law: coulomb, coefficient: 0.1, static: 0.4}}]
+                effects: []
+                """);
+        assertEquals(3 - 0.1 * 1.5 * 2, run.at(3), 1e-14);
+        assertEquals(0.5 * 2, run.at(4), 1e-14);
+    }
+
     /** Nine balls in a box at 0.01 m/s keep all their energy. */
     @ParameterizedTest
     @MethodSource("exactWays")
