@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Systems;
+import particles.engine.ParallelForces;
 import particles.law.Plane;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
@@ -231,6 +232,20 @@ class RepulsionTest {
                 state[k] += (random.nextDouble() - 0.5) * (round % 20 == 19 ? 0.5 : 0.004);
             }
         }
+    }
+
+    /** Two threads share out the blocks of each pair force; SceneThreadsTest has whole runs. */
+    @Test
+    void severalThreadsGiveTheSameBits() {
+        double[][] derivatives = new double[2][6 * 700];
+        for (int k = 0; k < 2; k++) {
+            ParticleSystem system = cloud(700);
+            system.addEffect(new Gravitation(system.getParticles(), 1, 0.01));
+            system.addEffect(new Cohesion(system.getParticles(), 0.1, 0.05, 2, 1));
+            ParallelForces.use(system.getForceSum(), 1 + k, 0);
+            system.getStateDerivative(derivatives[k]);
+        }
+        assertArrayEquals(derivatives[0], derivatives[1]);
     }
 
     /** The energy is the sum over all pairs, each by itself. */
