@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
@@ -126,6 +127,18 @@ class EffectClaimsTest {
     @Test
     void aMissingPartnersForceIsFound() {
         assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty());
+    }
+
+    /** Wind drives particles, and its drag takes energy out of them. */
+    @ParameterizedTest
+    @CsvSource({"DISSIPATIVE, DRIVEN_POWER", "DRIVING, DISSIPATED_POWER"})
+    void eachPowerNeedsItsClaim(Trait claimed, Claim missed) {
+        assertEquals(List.of(missed), kinds(broken(p -> new Altered(AirDrag.linear(p, 0.4, WIND), 1, 1) {
+            @Override
+            public Set<Trait> getTraits() {
+                return Set.of(claimed);
+            }
+        })));
     }
 
     /** An effect with the force derivatives of another one. */
