@@ -45,6 +45,11 @@ public record Look(int rgb, int variant, Optional<SolverInfo> solver) {
         return new Look(COLOURS.get(k % COLOURS.size()), k, Optional.empty());
     }
 
+    /** @return whether it is the look of the exact solution; a first equals of a record costs 0.08 s */
+    public boolean isReference() {
+        return rgb == REFERENCE.rgb && variant == REFERENCE.variant;
+    }
+
     /** @return the same with other dashes and points */
     public Look variant(int other) {
         return new Look(rgb, other, solver);

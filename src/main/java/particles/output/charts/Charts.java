@@ -17,7 +17,6 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.Range;
 import particles.view.Chart;
-import particles.view.Look;
 import particles.view.Panel;
 import particles.view.Series;
 import particles.view.Series.Mark;
@@ -130,7 +129,7 @@ final class Charts {
                 boolean onlyOne = data.getSeriesCount() == 1 && series.mark() == Mark.FILL;    // the axis names it
                 if (!plot.ends.labelled.contains(k) && !onlyOne && data.last(k) >= 0
                         && named.add(List.of(series.name(), series.mark().isCurve()))) {
-                    (series.mark().isCurve() && !series.look().equals(Look.REFERENCE) ? items : besides)
+                    (series.mark().isCurve() && !series.look().isReference() ? items : besides)
                             .add(plot.getRenderer().getLegendItem(0, k));
                 }
             }
