@@ -21,7 +21,7 @@ import particles.view.Axis;
 final class Axes {
     private static final NumberTickUnitSource UNITS = new NumberTickUnitSource();
     private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
-    /** Values that differ by less than this part of their size differ by round-off, which needs no axis of its own. */
+    /** Values that differ by less than this part of their size differ by round-off: they are one value on an axis. */
     private static final double ROUNDING = 1e-13;
     /** An axis that begins this near to zero, as a part of its end, begins at zero. */
     private static final double NEAR_ZERO = 0.1;
@@ -90,13 +90,13 @@ final class Axes {
         return new Range(Math.pow(10, low - beside), Math.pow(10, high + beside));
     }
 
-    /** An axis shows more than round-off, and without margins zero, if it is near. */
+    /** Around one value an axis is as long as the value is large; without margins, an axis shows zero if it is near. */
     private static Range numbers(Range values, double margin) {
         double low = values.getLowerBound();
         double high = values.getUpperBound();
         double size = Math.max(Math.abs(low), Math.abs(high));
-        double least = size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL);
-        double beside = margin * (high - low) + Math.max(0, least - (high - low)) / 2;
+        double beside = high - low > Math.max(ROUNDING * size, Double.MIN_NORMAL) ? margin * (high - low)
+                : size == 0 ? 0.5 : Math.max(size, Double.MIN_NORMAL) / 2;
         return new Range(margin == 0 && low > 0 && low < NEAR_ZERO * high ? 0 : low - beside, high + beside);
     }
 

@@ -38,6 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.lecture.LectureFigures;
 import particles.output.files.OutputFolder;
 import particles.view.Axis;
@@ -210,6 +211,15 @@ class ChartsTest {
         double beside = Math.pow(2 / 1.5e-3, 0.05);
         assertEquals(1.5e-3 / beside, range.getLowerBound(), 1e-9);
         assertEquals(2 * beside, range.getUpperBound(), 1e-9);
+    }
+
+    /** Where all runs have the same result, up to round-off, the ticks beside them still differ. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1, 50, -2e-7})
+    void oneValueHasAnAxisWithDifferentTicks(double value) {
+        Range range = plot(false, series("y", value, value * (1 + 1e-15))).getRangeAxis().getRange();
+        assertTrue(range.contains(value));
+        assertTrue(range.getLength() >= Math.abs(value) && range.getLength() > 0, range.toString());
     }
 
     /** In state space too; what is no solver's has no solver's colour. */
