@@ -36,6 +36,6 @@ public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
         long ofQuantities = panel.charts().stream().filter(data -> data.rows().isEmpty()).count();
         return Charts.page(chart, legend, format.width(round ? SQUARE_WIDTH : WIDTH),
                 format.height(round ? SQUARE_HEIGHT : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT)
-                + Charts.heightOfRows(panel)));
+                + Charts.heightAdded(panel)));
     }
 }

@@ -5,6 +5,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.StandardChartTheme;
@@ -23,7 +24,7 @@ import particles.view.Series.Mark;
 
 /** Makes JFreeChart charts of panels, in the common style. */
 final class Charts {
-    /** The height of a row, in pixels as the other charts' heights, roughly. */
+    /** The height of a row, in pixels as the other charts' heights, at least. */
     private static final int ROW = 17;
     private static final int GAP = 14;
     /** The height of a chart above rows, in the same pixels. */
@@ -93,19 +94,22 @@ final class Charts {
         for (Chart chart : panel.charts()) {
             ChartPlot plot = new ChartPlot(chart, panel.kind(), ticks, chart == first ? 8 : 6, format);
             plot.setFixedDomainAxisSpace(null);
-            all.add(plot, !chart.rows().isEmpty() ? heightOfRows(chart) : chart != first ? LOWER
-                    : several ? UPPERMOST : narrow ? CELL : MAIN);
+            all.add(plot, chart != first ? heightBelow(chart) : several ? UPPERMOST : narrow ? CELL : MAIN);
         }
         return all;
     }
 
-    /** @return the height that charts of rows add to a page */
-    static int heightOfRows(Panel panel) {
-        return panel.charts().stream().mapToInt(chart -> chart.rows().isEmpty() ? 0 : GAP + heightOfRows(chart)).sum();
+    /** @return the height that charts of rows, and those of a third and further quantities, add to a page */
+    static int heightAdded(Panel panel) {
+        Stream<Chart> quantities = panel.charts().stream().filter(chart -> chart.rows().isEmpty()).skip(2);
+        Stream<Chart> rows = panel.charts().stream().filter(chart -> !chart.rows().isEmpty());
+        return Stream.concat(quantities, rows).mapToInt(chart -> GAP + heightBelow(chart)).sum();
     }
 
-    private static int heightOfRows(Chart chart) {
-        return ROW * (chart.rows().size() + 1);
+    /** The height of a chart below another one: at least the length of its label, which stands upright beside it. */
+    private static int heightBelow(Chart chart) {
+        return Math.max(chart.rows().isEmpty() ? LOWER : ROW * (chart.rows().size() + 1),
+                (int) Axes.width(ChartStyle.LABEL, chart.y().label()));
     }
 
     static List<ChartPlot> plots(JFreeChart chart) {

@@ -26,7 +26,7 @@ public final class PanelGrid extends Plot {
 
     private final transient List<JFreeChart> charts;
     private final int columns;
-    /** The height of the rows below each chart, which is as large as the others without them. */
+    /** The height of what is below each chart, which is as large as the others without them. */
     private final int[] named;
 
     private PanelGrid(List<JFreeChart> charts, int columns, int[] named) {
@@ -57,7 +57,7 @@ public final class PanelGrid extends Plot {
                 / plots.get(0).getDomainAxis().getRange().getLength();
         int columns = right > 0 ? Math.min(2, panels.size()) : columns(panels.size());
         int cell = round ? ROUND_CELL : CELL;
-        int[] named = panels.stream().mapToInt(Charts::heightOfRows).toArray();
+        int[] named = panels.stream().mapToInt(Charts::heightAdded).toArray();
         double high = largest(named) + (round ? shape * (cell - left) + HEAD_AND_AXIS : HEIGHT_OF_WIDTH * cell);
         PanelGrid grid = new PanelGrid(charts, columns, named);
         LegendTitle legend = Charts.legend(plots, format);

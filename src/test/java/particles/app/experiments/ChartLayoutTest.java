@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -110,6 +111,20 @@ class ChartLayoutTest {
                 List.of(new Series(RK4, solver, Mark.LINE, new double[] {low, high}, new double[] {low, high},
                         "1.02 (1)")))));
         assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
+    }
+
+    /** The label of the third chart is longer than that chart would be; it ran into that of the row above. */
+    @Test
+    void labelsOfChartsAboveEachOtherDoNotMeet() {
+        List<Chart> charts = new ArrayList<>();
+        for (String quantity : List.of("evaluations", "distance", "energy of the fast vibration, end / start")) {
+            charts.addAll(new Chart(Axis.log("stiffness", "N/m"), Axis.log(quantity, "m"), List.of(new Series(RK4,
+                    "rk4", Mark.LINE, new double[] {1, 1e8}, new double[] {1, 1e8}))).above("no result",
+                    List.of("euler"), List.of(Series.point(Look.OWN, "no result", Mark.FAILURES, 100, 0))));
+        }
+        Panel panel = Panel.of("A spring", charts);
+        assertEquals(List.of(), Layout.faults(ChartPage.of(panel, ChartFormat.PAGE), List.of(panel),
+                ChartFormat.PAGE));
     }
 
     /** From 0.95 to 2.6 there were labels at 0.95, 0.96 ... 1, one over the other. */
