@@ -20,6 +20,8 @@ final class EventSteps {
      * springs pull it only just harder than friction holds it, is stiff for every explicit solver.
      */
     private static final int MOST_EVALUATIONS = 1_000_000;
+    /** Parts of a step that are at least this long are too few to go on for ever (relative to deltaT). */
+    private static final double LONG_PART = 0x1p-6;
     /** After this number of events in a step, and some more for each particle, its progress is checked. */
     private static final int FEW_EVENTS = 100;
     private static final int FEW_EVENTS_OF_EACH = 5;
@@ -85,7 +87,7 @@ final class EventSteps {
         return events;
     }
 
-    /** Begins a step of the run, whose work is limited. */
+    /** Begins a step, or the part of one up to the next known time at which a rule acts; its work is limited. */
     void begin() {
         begun = system.getEvaluations();
     }
@@ -104,7 +106,8 @@ final class EventSteps {
         Headway headway = new Headway(system.getParticles().count(), system.getTime());
         for (int inStep = 0; inStep <= MOST_EVENTS; inStep++) {
             headway.require(inStep, system.getTime(), end);
-            if (system.getEvaluations() - begun > MOST_EVALUATIONS && mayDivide(left)) {
+            if (system.getEvaluations() - begun > MOST_EVALUATIONS
+                    && mayDivide(Math.min(left, LONG_PART * deltaT))) {
                 throw noHeadway(system.getTime(), "this step took " + (system.getEvaluations() - begun)
                         + " evaluations", end);
             }

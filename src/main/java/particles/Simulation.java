@@ -139,7 +139,6 @@ public final class Simulation {
                     "a step of " + deltaT + " s no longer moves the clock at"
                     + " t = " + system.getTime(), null);
         }
-        eventSteps.begin();
         advanceTo(end);
         requireRight(constraints.getWorst());
     }
@@ -177,11 +176,13 @@ public final class Simulation {
         for (double next = nextAction(); next < end - rounding; next = nextAction()) {
             double now = system.getTime() + rounding;
             if (next > now) {
+                eventSteps.begin();
                 step(next, 0);
             } else {
                 act(deltaT, rule -> rule.getNextTime() <= now);
             }
         }
+        eventSteps.begin();
         step(end, 1);
     }
 

@@ -101,26 +101,27 @@ class EventStepsTest {
         return List.<DESolver>of(new Laborious(), new EulerSolver()).iterator()::next;
     }
 
-    /** A solver whose steps cost 400,000 evaluations, as where a particle creeps: two fit into the limit of a step. */
+    /** Each step of the solver costs 400,000 evaluations, as where a particle creeps; the third is over the limit. */
     @Test
-    void aStepOfTooManyEvaluationsIsGivenUpNearATurnOnly() {
-        assertEquals(0.2, run(new Turns(false), laborious()).getOwnState()[0], 1e-12);
-        SimulationException e = assertThrows(SimulationException.class, () -> run(new Turns(true), laborious()));
+    void aStepOfTooManyEvaluationsIsGivenUpOnlyWhereItMayHaveManyParts() {
+        assertEquals(0.2, run(new Parts(0.1), laborious()).getOwnState()[0], 1e-12);
+        assertEquals(0.2, run(new Parts(0.1 / 64), laborious()).getOwnState()[0], 1e-12, "at most 64 parts");
+        SimulationException e = assertThrows(SimulationException.class, () -> run(new Parts(0), laborious()));
         assertEquals("contacts make no headway: this step took 1200006 evaluations, and 0.07 s of the step are left",
                 e.getMessage());
     }
 
-    private static final class Turns extends Sequence {
-        private final boolean near;
+    private static final class Parts extends Sequence {
+        private final double shortest;
 
-        Turns(boolean near) {
+        Parts(double shortest) {
             super(n -> 0.01);
-            this.near = near;
+            this.shortest = shortest;
         }
 
         @Override
         public boolean mayDivide(double length, double deltaT) {
-            return near;
+            return length > shortest;
         }
     }
 
