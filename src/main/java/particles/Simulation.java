@@ -212,11 +212,13 @@ public final class Simulation {
             recorded = eventSteps.move(h, end, recordMotion);
         } catch (DESolverException e) {
             double rest = end - system.getTime();       // where the solver failed: after the last event, if any
+            double middle = end - rest / 2;
+            boolean hasMiddle = system.getTime() < middle && middle < end;  // else the clock is too coarse
             boolean isOfAll = e.getEntry() < 0;         // not of one number, which a blow-up overflows
-            if (isOfAll && eventSteps.mayDivide(rest)) {
+            if (hasMiddle && isOfAll && eventSteps.mayDivide(rest)) {
                 divisions++;
                 solver.reset();
-                step(end - rest / 2, 0);
+                step(middle, 0);
                 step(end, counted);
                 return;
             }

@@ -164,6 +164,16 @@ class EventStepsTest {
                 () -> run(new Sequence(n -> Double.POSITIVE_INFINITY), () -> new ShortSteps(0.09)));
     }
 
+    /** At t = 1000 s the clock has no time within 1.1e-13 s. */
+    @Test
+    void aStepIsNotDividedWhereTheClockHasNoMiddle() {
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
+        system.incTime(1000);
+        Simulation simulation = new Simulation(system, () -> new ShortSteps(0), 0.1, 0.2);
+        simulation.addRule(new Parts(0));
+        assertEquals(1000, assertThrows(SimulationException.class, simulation::run).getTime());
+    }
+
     /** Euler's method, but it fails at steps longer than it likes. */
     private static final class ShortSteps extends DESolver {
         private final EulerSolver euler = new EulerSolver();
