@@ -233,7 +233,9 @@ public final class RestingContacts implements Reaction {
     @Override
     public Violation getViolation(double[] state, double since) {
         List<ContactSurface> surfaces = contacts.getSurfaces();
-        Violation worst = Violation.NONE;
+        double worst = 0;
+        int farthest = -1;
+        ContactSurface from = null;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size(); p++) {
                 ContactSurface surface = surfaces.get(p);
@@ -241,13 +243,15 @@ public final class RestingContacts implements Reaction {
                 double off = particles.isFixed(i) || particles.birthTime(i) > since
                         || modes.get(p, i) == Mode.FREE && distance > 0 ? 0 : Math.abs(distance);
                 double part = off * (surface.obstacle().isFlat() ? 1 : surface.curvature(state, i));
-                if (part > worst.part()) {
-                    worst = new Violation(part, "'" + particles.id(i) + "' is " + Digits.few(off) + " m off '"
-                            + surface.name() + "'");
+                if (part > worst) {
+                    worst = part;
+                    farthest = i;
+                    from = surface;
                 }
             }
         }
-        return worst;
+        return from == null ? Violation.NONE : new Violation(worst, "'" + particles.id(farthest) + "' is "
+                + Digits.few(Math.abs(from.distance(state, farthest))) + " m off '" + from.name() + "'");
     }
 
     @Override
