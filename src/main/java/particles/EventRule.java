@@ -32,8 +32,8 @@ public interface EventRule extends Rule {
     void findEvents(Motion motion, List<Event> found);
 
     /**
-     * Tells whether a step, or a part of one, at which the solver fails may be made in two halves: the law may change
-     * within it, and less within a half. All rules act after each half.
+     * Tells whether a step, or a part of one, may be made in two halves if the solver fails at it: where the law may
+     * change within it, it changes less within a half. All rules act after each half.
      *
      * @param length the length of the part (s)
      * @param deltaT the time step (s)

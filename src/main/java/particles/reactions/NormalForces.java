@@ -72,7 +72,7 @@ final class NormalForces {
 
     /** The skin of a particle along all surfaces that push it. */
     Skin skin(int i, double[] state, Push... pushes) {
-        if (contacts.scalesOf(i).isEmpty()) {           // nobody needs the normals
+        if (contacts.scalesOf(i).isEmpty()) {           // the same along all normals
             return Skin.SMOOTH;
         }
         return evaluate.sliding.skin(i, state, Arrays.stream(pushes).filter(push -> push.size() > 0).map(Push::normal)

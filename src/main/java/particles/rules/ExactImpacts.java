@@ -29,12 +29,13 @@ public final class ExactImpacts extends Impacts {
     private Optional<Collisions> balls = Optional.empty();
 
     /**
-     * What is between a particle and a surface, or two balls.
+     * The gap between a particle and a surface, or between two balls.
      *
-     * @param solid  what one enters, where the other is, or as seen from it
+     * @param solid  what the path enters when the gap closes: the surface, or for the path of one ball relative to
+     *               another a sphere around the origin
      * @param height by how much the solid is raised (m)
-     * @param size   the gap (m) in a state
-     * @param rate   its rate (m/s)
+     * @param size   the gap in a state (m), negative inside
+     * @param rate   the rate at which it grows in a state (m/s)
      */
     record Gap(Obstacle solid, double height, ToDoubleFunction<double[]> size, ToDoubleFunction<double[]> rate) {
     }
@@ -157,14 +158,16 @@ public final class ExactImpacts extends Impacts {
     }
 
     /**
-     * Finds when two first meet, on the cubic between the motion's ends. Where they begin in touch (after a bounce, a
-     * release or a birth) the gap has the size of round-off; they meet again only if one goes deeper than that into the
-     * other, by the solver's step and not only by the cubic. The cubic may dip falsely: a particle released with no
-     * speed and no acceleration rises as t&sup3;, and at first the cubic's error of order t&sup2; h&sup2; is larger
-     * than that.
+     * Finds when a gap first closes, on the cubic between the motion's ends. Where the motion begins in touch (after a
+     * bounce, a release or a birth), the gap has the size of round-off; it closes again only if it becomes more
+     * negative than that, by the solver's step and not only by the cubic. The cubic may dip falsely: a particle
+     * released with no speed and no acceleration rises as t&sup3;, and at first the cubic's error of order t&sup2;
+     * h&sup2; is larger than that.
      *
-     * @param path  of one, or of one relative to the other
-     * @param depth round-off of the gap (m); NaN if they do not begin in touch
+     * @param path   the path of the particle, or of one ball relative to the other
+     * @param depth  round-off of the gap (m); NaN if the motion does not begin in touch
+     * @param found  receives the event
+     * @param action applies it
      */
     static void findMeeting(Motion motion, FirstCrossing path, Gap gap, double depth, List<Event> found,
             Runnable action) {
