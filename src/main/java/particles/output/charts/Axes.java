@@ -40,7 +40,7 @@ final class Axes {
     }
 
     /**
-     * @param values the range of the values; null, as in JFreeChart, if there are none
+     * @param values the range of the values; null, as in JFreeChart, if there are none, and so no numbers beside it
      * @param tight  whether it ends at the first and last point
      * @param most   the largest number of ticks
      */
@@ -56,6 +56,7 @@ final class Axes {
             made = linear;
         }
         made.setLabel(axis.label());
+        made.setTickLabelsVisible(values != null);
         return made;
     }
 

@@ -222,6 +222,14 @@ class ChartsTest {
         assertTrue(range.getLength() >= Math.abs(value) && range.getLength() > 0, range.toString());
     }
 
+    /** Where no run has a result, the numbers of an axis would be made up. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void anAxisWithoutValuesHasNoNumbers(boolean log) {
+        assertFalse(plot(log, series("y", Double.NaN, Double.NaN)).getRangeAxis().isTickLabelsVisible());
+        assertTrue(plot(log, series("y", 1, Double.NaN)).getRangeAxis().isTickLabelsVisible());
+    }
+
     /** In state space too; what is no solver's has no solver's colour. */
     @Test
     void pathsHaveTheirSolversColour() {
