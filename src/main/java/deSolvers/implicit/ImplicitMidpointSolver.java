@@ -23,8 +23,11 @@ import deSolvers.linear.SolverWork;
  * once keeps alternating in sign instead. If the equation has several solutions, the solver takes the one near the
  * present state; that keeps a spring that is very stiff for the step from turning inside out.<br>
  * <b>When to use</b> stiff oscillation whose energy matters: it is symplectic and reversible. Not for stiff damping,
- * nor for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
- * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
+ * where {@code backward-euler} is calmer. Nor for undamped springs that turn, as in cloth, unless the step resolves
+ * them: stability for linear springs is none for nonlinear ones, and symplecticity does not bound the energy of long
+ * steps. In 1 s, a hanging cloth of 400 particles gained 4.8 times its energy at 1/60 s, and 2 % at 0.004 s.<br>
+ * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50; its blow-up: J. C.
+ * Simo and O. Gonzalez (1993), Assessment of energy-momentum and symplectic schemes for stiff dynamical systems, ASME.
  */
 public final class ImplicitMidpointSolver extends FixedStepSolver {
     private final Newton newton = new Newton();
