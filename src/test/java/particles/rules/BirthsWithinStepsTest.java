@@ -88,8 +88,8 @@ class BirthsWithinStepsTest {
     }
 
     /**
-     * From any place, in any direction, at any speed and rate. Some births are at a step's end, others early or late in it; a step of
-     * 1.5 s has 49 of them. Solvers of order 1 are off by up to g deltaT times the age.
+     * From any place, in any direction, at any speed and rate. Some births are at a step's end, others early or late in
+     * it; a step of 1.5 s has 49 of them. Solvers of order 1 are off by up to g deltaT times the age.
      */
     @ParameterizedTest
     @CsvSource(textBlock = """
@@ -115,7 +115,8 @@ class BirthsWithinStepsTest {
         double length = Math.sqrt(x * x + y * y + z * z);
         for (SolverInfo solver : SolverCatalog.all()) {
             ShortRun run = jet(solver.name() + " exact " + deltaT + " 1.5", "gravity", emitter(rate)
-                    .replace("[0, 0, 0]", Arrays.toString(place)).replace("speed: 10", "speed: " + speed + ", direction: [" + x + ", " + y + ", " + z + "]"));
+                    .replace("[0, 0, 0]", Arrays.toString(place))
+                    .replace("speed: 10", "speed: " + speed + ", direction: " + Arrays.toString(way)));
             assertEquals(1 + (int) (1.5 * rate + 1e-6), run.getSystem().getParticles().count());
             for (int i = 1; i < run.getSystem().getParticles().count(); i++) {
                 double age = 1.5 - i / rate;
@@ -124,8 +125,8 @@ class BirthsWithinStepsTest {
                     double v = speed * way[c] / length;
                     double g = c == 1 ? G : 0;
                     assertEquals(v - g * age, run.at(6 * i + 3 + c), 1e-9, solver.name());
-                    assertEquals(place[c] + v * age - g * age * age / 2, run.at(6 * i + c), 1e-9 + (c == 1 ? late : 0),
-                            solver.name());
+                    assertEquals(place[c] + v * age - g * age * age / 2, run.at(6 * i + c),
+                            1e-9 + (c == 1 ? late : 0), solver.name());
                 }
             }
         }
