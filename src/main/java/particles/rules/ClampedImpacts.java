@@ -32,9 +32,6 @@ import particles.reactions.Tolerances;
  * would let it slide visibly too far, the step is divided at the stop.
  */
 public final class ClampedImpacts extends Impacts {
-    /** A part of a step that is longer than this may be divided (relative to deltaT). */
-    private static final double SHORTEST_PART = 0x1p-6;
-
     private final Map<Integer, Double> stops = new LinkedHashMap<>();      // when friction stops a particle (s)
     private double stepEnd;
     private BitSet foreseen = new BitSet();             // particles that may stop within the next step
@@ -76,12 +73,6 @@ public final class ClampedImpacts extends Impacts {
                 stops.put(i, system.getTime() + time);
             }
         }
-    }
-
-    /** {@inheritDoc} In contact: then which surfaces push and what friction stops are unknowns of a step. */
-    @Override
-    public boolean mayDivide(double length, double deltaT) {
-        return modes.isAnyTouching() && length > SHORTEST_PART * deltaT;
     }
 
     /** {@inheritDoc} Divides the step where a particle stops, if it would slide visibly farther otherwise. */

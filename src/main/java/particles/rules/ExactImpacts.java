@@ -23,7 +23,7 @@ import particles.reactions.Tolerances;
  * are events too. Particles are never lifted, so no energy is added and the solver keeps its order.
  */
 public final class ExactImpacts extends Impacts {
-    /** A part of a step that is longer than this may be divided (relative to deltaT). */
+    /** Near a stop, a part of a step that is longer than this may be divided (relative to deltaT). */
     private static final double SHORTEST_PART = 0x1p-40;
 
     private Optional<Collisions> balls = Optional.empty();
@@ -79,10 +79,10 @@ public final class ExactImpacts extends Impacts {
         return false;
     }
 
-    /** {@inheritDoc} Near a stop by friction: a solver has to step across it before it can be located. */
+    /** {@inheritDoc} Near a stop by friction much further: a solver steps across it before it can be located. */
     @Override
     public boolean mayDivide(double length, double deltaT) {
-        return modes.isAnyTouching() && length > SHORTEST_PART * deltaT
+        return super.mayDivide(length, deltaT) || modes.isAnyTouching() && length > SHORTEST_PART * deltaT
                 && resting.getQueries().mayStopWithin(length);
     }
 

@@ -20,6 +20,8 @@ import particles.reactions.Tolerances;
  */
 abstract class Impacts implements EventRule {
     static final int STRIDE = Particles.STRIDE;
+    /** In contact, a part of a step that is longer than this may be divided (relative to deltaT). */
+    private static final double SHORTEST_PART = 0x1p-6;
 
     final RestingContacts resting;
     final Contacts contacts;
@@ -74,6 +76,12 @@ abstract class Impacts implements EventRule {
         this.deltaT = deltaT;
         contacts.beginStep();
         forceKnown = false;
+    }
+
+    /** {@inheritDoc} In contact: then which surfaces push and what friction stops are unknowns of a step. */
+    @Override
+    public boolean mayDivide(double length, double deltaT) {
+        return modes.isAnyTouching() && length > SHORTEST_PART * deltaT;
     }
 
     /** The effects' forces in the present state. Clamped impacts evaluate them at most once in most steps. */

@@ -184,12 +184,13 @@ class ClampedImpactsTest {
     }
 
     /**
-     * A step of 0.01 s at which a solver fails may be divided in contact, into 64 parts; with exact impacts only where
-     * friction may stop the particle, and then much further.
+     * A step of 0.01 s at which a solver fails may be divided in contact, into 64 parts; with exact impacts, where
+     * friction may stop the particle, much further.
      */
     @ParameterizedTest
     @CsvSource({"clamp, 1, 10, 0.01, false", "clamp, 0, 10, 1.6e-4, true", "clamp, 0, 10, 1.5e-4, false",
-            "exact, 0, 10, 0.01, false", "exact, 0, 0.001, 0.01, true", "exact, 0, 1e-9, 1e-9, true"})
+            "exact, 1, 10, 0.01, false", "exact, 0, 10, 0.01, true", "exact, 0, 10, 1.5e-4, false",
+            "exact, 0, 0.001, 0.01, true", "exact, 0, 1e-9, 1e-9, true"})
     void aFailedStepMayBeDividedInContact(String impact, double height, double speed, double length, boolean may) {
         ShortRun run = ShortRun.of("rk4 " + impact + " 0.01 0", """
                 particles: [{id: p, position: [0, %s, 0], velocity: [%s, 0, 0]}]
