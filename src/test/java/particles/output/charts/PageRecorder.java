@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.Image;
 import java.awt.Shape;
+import java.awt.font.GlyphVector;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -80,12 +81,22 @@ public final class PageRecorder extends AbstractGraphics2D {
     @Override
     public void drawString(String text, float x, float y) {
         if (!text.isBlank()) {
-            Rectangle2D ink = getFont().createGlyphVector(measure.getFontRenderContext(), text).getVisualBounds();
-            ink.setRect(ink.getX() + x, ink.getY() + y, ink.getWidth(), ink.getHeight());
-            texts.add(new Text(text, getTransform().createTransformedShape(ink).getBounds2D(),
-                    getFont().getSize2D() * Math.sqrt(getTransform().getDeterminant()),
-                    getFont().equals(ChartStyle.TICKS)));
+            record(text, getFont().createGlyphVector(measure.getFontRenderContext(), text), x, y);
         }
+    }
+
+    /** JFreeChart draws the label of a vertical axis as glyphs, which do not say their text. */
+    @Override
+    public void drawGlyphVector(GlyphVector glyphs, float x, float y) {
+        record("the label of an axis", glyphs, x, y);
+    }
+
+    private void record(String text, GlyphVector glyphs, float x, float y) {
+        Rectangle2D ink = glyphs.getVisualBounds();
+        ink.setRect(ink.getX() + x, ink.getY() + y, ink.getWidth(), ink.getHeight());
+        texts.add(new Text(text, getTransform().createTransformedShape(ink).getBounds2D(),
+                glyphs.getFont().getSize2D() * Math.sqrt(getTransform().getDeterminant()),
+                glyphs.getFont().equals(ChartStyle.TICKS)));
     }
 
     /** @return the ends of curves, also outside of the panels */
