@@ -45,7 +45,7 @@ public record Look(int rgb, int variant, Optional<SolverInfo> solver) {
         return new Look(COLOURS.get(k % COLOURS.size()), k, Optional.empty());
     }
 
-    /** @return whether it is the look of the exact solution; a first equals of a record costs 0.08 s */
+    /** @return whether it is the look of the exact solution; the first equals of a record loads 77 classes */
     public boolean isReference() {
         return rgb == REFERENCE.rgb && variant == REFERENCE.variant;
     }
