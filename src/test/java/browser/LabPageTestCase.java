@@ -50,8 +50,9 @@ abstract class LabPageTestCase {
                 {line: code.lineCount(), ch: 0}, '+input');""", from, to);
     }
 
-    /** Presses a pointer on a particle; what it does next is added. */
+    /** Presses a pointer on a particle; what it does next is added. A note above it may just have moved the picture. */
     Actions hold(PointerInput.Kind kind, int particle) {
+        until("view.camera.camera.aspect === view.element.clientWidth / view.element.clientHeight");
         String place = "view.onScreen(" + particle + ")";
         return new Actions(page.driver()).setActivePointer(kind, "pointer").moveToLocation(
                 (int) value("element('view').getBoundingClientRect().left + " + place + "[0]"),
