@@ -136,10 +136,9 @@ class ArchitectureTest {
             particles.rules:               deSolvers.text particles particles.effects.neighbours
                                            particles.effects.springs particles.law particles.reactions particles.view
             particles.scene:               deSolvers deSolvers.catalog deSolvers.text particles particles.effects
-                                           particles.effects.springs particles.energy particles.law
-                                           particles.reactions particles.rules particles.scene.format
-                                           particles.scene.parts particles.spec particles.spec.messages particles.view
-                                           org.snakeyaml
+                                           particles.effects.springs particles.law particles.reactions particles.rules
+                                           particles.scene.format particles.scene.parts particles.spec
+                                           particles.spec.messages particles.view org.snakeyaml
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
                                            particles.law particles.scene.parts particles.spec particles.spec.messages
                                            particles.view

@@ -91,7 +91,7 @@ final class Trial implements Observer {
         } catch (Enough e) {
             cut = true;
         } catch (SimulationException e) {
-            stopped = Optional.of(new BlowUpMessage(scene, e, energy.getLargeError(), name -> "--" + name).lines());
+            stopped = Optional.of(new BlowUpMessage(scene, e, name -> "--" + name).lines());
         }
         end = state();
     }

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import particles.Observer;
 import particles.Simulation;
-import particles.energy.NumericalErrorLimit.LargeError;
 
 /** Records all that a run's energy says: its history, its ledger, and whether the steps resolve what vibrates. */
 public final class EnergyRecorder {
@@ -50,11 +49,6 @@ public final class EnergyRecorder {
     /** @return the energy scale: the largest kinetic plus stored energy that is no numerical error (J) */
     public double getScale() {
         return limit.getScale();
-    }
-
-    /** @return the gain of energy by numerical error, if it is large */
-    public Optional<LargeError> getLargeError() {
-        return limit.getLargeError();
     }
 
     /** @return whether a visible vibration has fewer than {@value Resolution#STEPS} steps per period */

@@ -2,7 +2,6 @@ package particles.energy;
 
 import deSolvers.text.Digits;
 import java.util.Comparator;
-import java.util.Optional;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -21,13 +20,8 @@ import particles.law.Vector3;
  * <p>Only a gain counts: solvers that damp lose energy, but no run can lose more than it has and receives. Energy from
  * wind, moving anchors or births belongs to the scale, since a solver with a small relative error has an absolute error
  * that grows as long as energy flows in. What the ledger cannot resolve does not count.
- *
- * <p>If the run ends by another failure, {@link LargeError} tells whether its motion was wrong before.
  */
 public final class NumericalErrorLimit implements Observer {
-    /** An error above this part of the energy scale shows in the motion. */
-    public static final double LARGE = 0.1;
-
     private static final int MOST_GAIN = 1000;
     private static final int WRONG_GAIN = 10;
     private static final double ROUND_OFF = 1e-9;
@@ -42,17 +36,7 @@ public final class NumericalErrorLimit implements Observer {
     private double mostInternal = Double.NEGATIVE_INFINITY;     // kinetic plus stored, without the error
     private double largest;
     private double passed = Double.NaN;
-    private double largeSince = Double.NaN;
     private int strongest;
-
-    /**
-     * A gain of energy by numerical error that is above {@link #LARGE} of the energy scale.
-     *
-     * @param since  when it passed that part (s)
-     * @param joules the largest error until the end (J)
-     */
-    public record LargeError(double since, double joules) {
-    }
 
     /**
      * @param energy      the run's energies; an observer that is called before this one
@@ -86,10 +70,6 @@ public final class NumericalErrorLimit implements Observer {
         return energy.scaleOf(mostInternal, estimate);
     }
 
-    Optional<LargeError> getLargeError() {
-        return Double.isNaN(largeSince) ? Optional.empty() : Optional.of(new LargeError(largeSince, largest));
-    }
-
     @Override
     public void moved(Motion motion) {
         noteInternal();
@@ -101,11 +81,6 @@ public final class NumericalErrorLimit implements Observer {
         error -= books.getUncertainty();
         largest = Math.max(largest, error);
         explained = Math.max(explained, energy.getLatest() - Math.max(0, error));
-        if (!(largest > Math.max(rounding, LARGE * getScale()))) {
-            largeSince = Double.NaN;                    // so far, or the energy has grown since
-        } else if (Double.isNaN(largeSince)) {
-            largeSince = motion.getEndTime();
-        }
         double expected = expected();
         if (error > Math.max(rounding, MOST_GAIN * expected) && error > MOST_GAIN * (expected + putIn())) {
             find(motion);

@@ -2,14 +2,12 @@ package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.energy.EnergyRecorder;
-import particles.energy.NumericalErrorLimit.LargeError;
 import particles.lab.Frame.Structure;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
@@ -23,7 +21,6 @@ public final class LabRun {
     private final Scene scene;
     private final Simulation simulation;
     private final ParticleSystem system;
-    private final EnergyRecorder energy;
     private final FrameRecorder frames;
     private final PointerSpring pointer;
     private boolean endless;
@@ -37,7 +34,7 @@ public final class LabRun {
         this.scene = scene;
         simulation = scene.simulation();
         system = scene.system();
-        energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
+        EnergyRecorder energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
         frames = new FrameRecorder(scene, energy.getLedger(), HISTORY_BYTES);
         pointer = new PointerSpring(system.getParticles(), mostOmega(scene.description()));
         system.addEffect(pointer);
@@ -127,11 +124,6 @@ public final class LabRun {
     /** @return whether the scene's duration is over, and the run does not go on */
     public boolean isOver() {
         return !endless && simulation.isOver();
-    }
-
-    /** @return the gain of energy by numerical error, if it is large */
-    Optional<LargeError> getLargeError() {
-        return energy.getLargeError();
     }
 
     /** @return the scene */

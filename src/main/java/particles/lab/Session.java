@@ -148,7 +148,7 @@ public final class Session {
         try {
             work.run();
         } catch (SimulationException e) {
-            failure = new BlowUpMessage(run.getScene(), e, run.getLargeError(), UnaryOperator.identity()).lines();
+            failure = new BlowUpMessage(run.getScene(), e, UnaryOperator.identity()).lines();
             run.end();
         }
         nanoseconds += System.nanoTime() - start;

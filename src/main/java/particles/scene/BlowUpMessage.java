@@ -14,21 +14,17 @@ import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
-import particles.energy.NumericalErrorLimit;
-import particles.energy.NumericalErrorLimit.LargeError;
 import particles.law.Effect;
 import particles.reactions.RestingContacts;
 
 /**
- * The message for a run that cannot go on, in up to four lines: since when its numerical error is large, if the failure
- * itself does not say so; the event and its place; the cause, such as the factor by which deltaT is too long for the
- * springs; and what to try, by {@link AdviceRule}. Where the error is large, it is the cause, not what failed later.
+ * The message for a run that cannot go on, in up to three lines: the event and its place; the cause, such as the factor
+ * by which deltaT is too long for the springs; and what to try, by {@link AdviceRule}.
  */
 public final class BlowUpMessage {
     private final Scene scene;
     private final SimulationException end;
     private final Optional<DESolverException> failure;
-    private final Optional<LargeError> error;
     private final String solver;
     private final StepLimit limits;
     private final AdviceRule rule;
@@ -37,14 +33,11 @@ public final class BlowUpMessage {
     /**
      * @param scene   the scene that was run, as the exception left it
      * @param end     the exception that ended the run
-     * @param error   the gain of energy by numerical error until then, if it is large
      * @param options formats an option of this name as it is typed
      */
-    public BlowUpMessage(Scene scene, SimulationException end, Optional<LargeError> error,
-            UnaryOperator<String> options) {
+    public BlowUpMessage(Scene scene, SimulationException end, UnaryOperator<String> options) {
         this.scene = scene;
         this.end = end;
-        this.error = error;
         failure = end.getCause() instanceof DESolverException given ? Optional.of(given) : Optional.empty();
         solver = scene.description().solver();
         limits = new StepLimit(scene);
@@ -54,21 +47,13 @@ public final class BlowUpMessage {
 
     /** @return whether numbers grew without bounds; false if a solver found no solution */
     public boolean isBlowUp() {
-        return saysEnergy() || error.isPresent() || failure.isPresent() && failure.get().getEntry() >= 0;
-    }
-
-    private boolean saysEnergy() {
-        return Set.of(End.ENERGY_LIMIT, End.NUMERICAL_ERROR, End.WRONG_MOTION).contains(end.getEnd());
+        return Set.of(End.ENERGY_LIMIT, End.NUMERICAL_ERROR, End.WRONG_MOTION).contains(end.getEnd())
+                || failure.isPresent() && failure.get().getEntry() >= 0;
     }
 
     /** @return the lines, separated by line feeds */
     public String lines() {
-        Stream<String> doubt = error.filter(large -> !saysEnergy()).map(large -> Digits.format(
-                "do not trust this motion from t = %s s on: the numerical error passed %s %% of the energy there and"
-                + " grew to %s J", Digits.few(large.since()), Digits.few(100 * NumericalErrorLimit.LARGE),
-                Digits.few(large.joules()))).stream();
-        return Stream.of(doubt, Stream.of(what()), reasons().stream()).flatMap(lines -> lines)
-                .collect(Collectors.joining("\n"));
+        return Stream.concat(Stream.of(what()), reasons().stream()).collect(Collectors.joining("\n"));
     }
 
     private String what() {
@@ -101,10 +86,10 @@ public final class BlowUpMessage {
         if (singular.isPresent()) {
             return List.of("no solver can go on from there", AdviceRule.byHand("other positions in the scene"));
         }
-        if (error.isEmpty() && end.getEnd() == End.NO_HEADWAY) {
+        if (end.getEnd() == End.NO_HEADWAY) {
             return ofContacts();
         }
-        if (error.isEmpty() && failure.isPresent() && (adaptive || !isBlowUp()) && mayStop()) {
+        if (failure.isPresent() && (adaptive || !isBlowUp()) && mayStop()) {
             return List.of("something is about to stop or to begin to slide, and there Coulomb friction changes its"
                     + " direction too fast for " + solver, rule.forFriction());
         }

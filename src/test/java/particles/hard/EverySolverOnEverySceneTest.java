@@ -190,8 +190,8 @@ class EverySolverOnEverySceneTest {
             return new End(scene, simulation.isOver(), Optional.empty(), energy.isTooCoarse());
         } catch (SimulationException e) {
             requireFew(scene, before);
-            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e, energy.getLargeError(),
-                    option -> "--" + option)), energy.isTooCoarse());
+            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e, option -> "--" + option)),
+                    energy.isTooCoarse());
         }
     }
 

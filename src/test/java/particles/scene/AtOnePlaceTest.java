@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -124,8 +123,7 @@ class AtOnePlaceTest {
                 + "rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1.3}]\n");
         SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
         assertEquals("rk4 stopped at t = 0.769 s: 'a' and 'e[0]' are at the same place; soft balls there have no"
-                + " direction in which to push each other", new BlowUpMessage(scene, end, Optional.empty(),
-                name -> name).lines());
+                + " direction in which to push each other", new BlowUpMessage(scene, end, name -> name).lines());
     }
 
     @ParameterizedTest

@@ -9,7 +9,6 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -257,7 +256,7 @@ class RightOrRefusedTest {
             runBooked(run);
             return "";
         } catch (SimulationException e) {
-            return new BlowUpMessage(run.getScene(), e, Optional.empty(), name -> name).lines();
+            return new BlowUpMessage(run.getScene(), e, name -> name).lines();
         }
     }
 

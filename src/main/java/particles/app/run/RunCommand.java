@@ -211,8 +211,7 @@ public final class RunCommand extends ResultsCommand {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            BlowUpMessage message = new BlowUpMessage(scene, e, observers.getEnergy().getLargeError(),
-                    getStyle()::option);
+            BlowUpMessage message = new BlowUpMessage(scene, e, getStyle()::option);
             if (e.getEnd() != SimulationException.End.WRONG_MOTION) {
                 observers.showEnd((message.isBlowUp() ? "blew up" : "stopped") + " at t = "
                         + Digits.few(e.getTime()) + " s");

@@ -17,7 +17,6 @@ import particles.app.cli.Program;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
-import particles.energy.NumericalErrorLimit;
 import particles.law.Violation;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -35,6 +34,8 @@ import particles.spec.JsonText;
  * @param seconds  the wall-clock time of the run (s)
  */
 record Summary(String name, String hash, String set, Scene scene, EnergyRecorder recorder, double seconds) {
+    /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
+    private static final double LARGE_ERROR = 0.1;
     /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
     private static final double VIOLATION = 1e-3;
     /** Events per simulated second beyond which soft balls are cheaper. */
@@ -116,21 +117,21 @@ record Summary(String name, String hash, String set, Scene scene, EnergyRecorder
         boolean damping = solver.filter(SolverInfo::damping).isPresent();
         boolean damped = damping && books().getNumericalError() < 0;
         boolean ledgers = books().getUncertainty() > books().getLargestNumericalError() / 2;
-        boolean blownUp = failed && !(error <= NumericalErrorLimit.LARGE);    // then the scale is that of the error
+        boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
         lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
                 : "at most " + joules(books().getLargestNumericalError())) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(recorder.getScale()) + ")")
                 + (damped ? ", by numerical damping" : "")
                 + (ledgers ? ", mostly that of the ledger's own integrals" : ""));
-        if (error > NumericalErrorLimit.LARGE && !endedEarly && !failed && !damped) {
+        if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
             boolean sure = books().getLargestNumericalError() - books().getUncertainty()
-                    > NumericalErrorLimit.LARGE * recorder.getScale();
+                    > LARGE_ERROR * recorder.getScale();
             lines.add(sure ? "warning: the numerical error is " + share(error)
                     + " the energy; do not trust this motion. Try a smaller deltaT or another solver."
                     : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + solverName
                     + " are too long for it; the error may be the ledger's own. A smaller deltaT tells.");
         }
-        if (error > NumericalErrorLimit.LARGE && damped) {
+        if (error > LARGE_ERROR && damped) {
             lines.add("warning: numerical damping took " + share(error)
                     + " the energy scale; a smaller deltaT loses less.");
         }
