@@ -43,6 +43,9 @@ final class EventSteps {
     private EventLocator locator;
     private long events;
     private long begun;                                 // evaluations before the step
+    private double stepEnd;
+    private Headway headway;
+    private int inStep;                                 // events and parts
 
     /**
      * @param system       the system
@@ -87,9 +90,17 @@ final class EventSteps {
         return events;
     }
 
-    /** Begins a step, or the part of one up to the next known time at which a rule acts; its work is limited. */
-    void begin() {
+    /**
+     * Begins a step, or the part of one up to the next known time at which a rule acts; its work and its events are
+     * limited, also where it is divided.
+     *
+     * @param end the time at its end (s)
+     */
+    void begin(double end) {
         begun = system.getEvaluations();
+        stepEnd = end;
+        headway = new Headway(system.getParticles().count(), system.getTime());
+        inStep = 0;
     }
 
     /**
@@ -103,13 +114,12 @@ final class EventSteps {
     boolean move(double h, double end, boolean noted) {
         boolean note = noted;
         double left = h;
-        Headway headway = new Headway(system.getParticles().count(), system.getTime());
-        for (int inStep = 0; inStep <= MOST_EVENTS; inStep++) {
-            headway.require(inStep, system.getTime(), end);
+        while (inStep <= MOST_EVENTS) {
+            headway.require(inStep++, system.getTime(), stepEnd);
             if (system.getEvaluations() - begun > MOST_EVALUATIONS
                     && mayDivide(Math.min(left, LONG_PART * deltaT))) {
                 throw noHeadway(system.getTime(), "this step took " + (system.getEvaluations() - begun)
-                        + " evaluations", end);
+                        + " evaluations", stepEnd);
             }
             if (!moveOn(left, end, note)) {
                 return note;
@@ -117,7 +127,7 @@ final class EventSteps {
             note = true;
             left = end - system.getTime();
         }
-        throw noHeadway(system.getTime(), "this step had " + MOST_EVENTS + " impacts or changes of contact", end);
+        throw noHeadway(system.getTime(), "this step had " + MOST_EVENTS + " impacts or changes of contact", stepEnd);
     }
 
     private static SimulationException noHeadway(double time, String why, double end) {

@@ -176,13 +176,13 @@ public final class Simulation {
         for (double next = nextAction(); next < end - rounding; next = nextAction()) {
             double now = system.getTime() + rounding;
             if (next > now) {
-                eventSteps.begin();
+                eventSteps.begin(next);
                 step(next, 0);
             } else {
                 act(deltaT, rule -> rule.getNextTime() <= now);
             }
         }
-        eventSteps.begin();
+        eventSteps.begin(end);
         step(end, 1);
     }
 
